@@ -5,7 +5,10 @@
 // atoms are carbon there, with charges of 0.2 and -0.2 in turn; heavy atoms only.
 // A third table does so for two chains of haemoglobin with all hydrogens that carry charges, 1 298 atoms against 1 358 (2 142
 // against 2 241 with all hydrogens), and for one of them in 498 copies of the other, as many atoms as a capsid has.
-// Run: build/release/body_benchmark [name of a scene, see body_tasks.h, or "chains" for the third table alone]
+// Run: build/release/body_benchmark [name of a scene, see body_tasks.h]
+//      build/release/body_benchmark chains     the third table alone
+//      build/release/body_benchmark points     the penalty of points with other stiffnesses of its pushes, in the scenes
+//                                              of the matrix
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,9 +19,11 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/bench/bodies/body_matrix.h"
 #include "engine/bench/bodies/body_tasks.h"
 #include "engine/bench/bodies/body_trade_off.h"
 #include "engine/bench/energies/energy_task.h"
+#include "engine/bench/methods/point_penalty.h"
 #include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/field/pair_sum.h"
 #include "engine/molecule/reader.h"
@@ -132,12 +137,65 @@ void timeChain(const bench::EnergyTask& task, Dielectric kind, const char* title
   std::fflush(stdout);
 }
 
+// The penalty of points with one stiffness of its pushes.
+template <int kStiffness>
+class Points final : public bench::BodyUnderTest {
+ public:
+  Points(std::shared_ptr<const SphereGrid> scene, std::shared_ptr<const HeldBody> body)
+      : felt_(std::move(scene), std::move(body), 0.0, double(kStiffness)) {}
+  Interaction& interaction() noexcept override { return felt_; }
+  Response tick(const PoseA& hand, double& made_A2) override {
+    made_A2 = 0.0;
+    return felt_.respond(hand);
+  }
+
+ private:
+  bench::PointPenalty felt_;
+};
+
+template <int kStiffness>
+void sweepPoints() {
+  static const bench::BodyMethod method{
+      "points", "", nullptr,
+      [](std::shared_ptr<const SphereGrid> scene,
+         std::shared_ptr<const HeldBody> body) -> std::unique_ptr<bench::BodyUnderTest> {
+        return std::make_unique<Points<kStiffness>>(std::move(scene), std::move(body));
+      }};
+  double overlap = 0, force = 0, jitter = 0;
+  std::size_t sound = 0, tunnelled = 0, unrested = 0;
+  const std::vector<bench::BodyScene> scenes = bench::bodyScenes(1);
+  std::vector<double> forces;
+  for (const bench::BodyScene& scene : scenes) {
+    const bench::BodyResult r = bench::runBodyScene(scene, method);
+    sound += bench::failuresOf(r).empty();
+    overlap = std::max(overlap, r.overlap_A), force = std::max(force, r.force_N), jitter = std::max(jitter, r.jitter_N);
+    tunnelled += r.tunnelled, unrested += r.unrested;
+    forces.push_back(r.force_N);
+  }
+  std::sort(forces.begin(), forces.end());
+  std::printf("| %d | %zu | %.3g | %.3g | %.3g | %zu | %zu | %.2g |\n", kStiffness, sound, overlap,
+              forces[forces.size() / 2], force, tunnelled, unrested, jitter);
+  std::fflush(stdout);
+}
+
+void sweepAllPoints() {
+  std::printf(
+      "| push / spring | sound of 10 | overlap (A) | force error, rms: median (N) | greatest (N) | tunnelled | not at "
+      "rest | "
+      "jitter (N) |\n| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  sweepPoints<3>(), sweepPoints<10>(), sweepPoints<30>(), sweepPoints<100>(), sweepPoints<300>(), sweepPoints<1000>();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto open = [](const std::string& id) {
     return readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + id + ".pdb");
   };
+  if (argc > 1 && argv[1] == std::string_view("points")) {
+    sweepAllPoints();
+    return 0;
+  }
   std::vector<bench::BodyTask> tasks;
   for (const std::string_view name : bench::kBodyTasks) {
     if (argc > 1 && name != argv[1]) continue;

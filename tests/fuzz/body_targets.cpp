@@ -200,7 +200,9 @@ class FuzzedBody {
     const double far_A = glm::length(hand.place.A);
     const bool usable = finite(hand.place.A) && rotates(hand.orientation) && far_A <= kMaxPosition_A - reach_A();
     mustBe(usable == (c.fault != Fault::NotFinite), "a fault exactly where the hand has no pose");
-    mustBe(felt_->steps() <= ExactBody::kMaxSteps && felt_->changes() <= kMaxWork, "bounded work");
+    mustBe(felt_->steps() <= ExactBody::kMaxSteps, "at most so many steps");
+    mustBe(felt_->changes() <= ExactBody::kMaxSceneChanges + ExactBody::kMaxChanges, "at most so many programs");
+    mustBe(felt_->listWork() <= BodyPairs::kMaxWork + 2 * BodyPairs::kMaxFar, "at most so much work on the lists");
     AtomForce shared[6];
     const std::size_t reactions = felt_->reactions(r, 1.0, 1.0, shared);
     mustBe(reactions <= felt_->maxReactionCount(), "reactions that have room");
@@ -238,9 +240,6 @@ class FuzzedBody {
   }
 
  private:
-  // A tick's changes of active constraints: those before the limit is seen, and the last restoration's.
-  static constexpr int kMaxWork = 2 * ExactBody::kMaxChanges + 22 * (SmallQp::kMaxChanges + 2);
-
   std::unique_ptr<ExactBody> made(Choices& choices) {
     constexpr double kLevers_A2[] = {0.0, 0.0, 0.0, 1.0, 1e-6, 1e6};
     return std::make_unique<ExactBody>(std::make_shared<const SphereGrid>(spheres_), body_,

@@ -4,17 +4,21 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <new>
 #include <string>
 
+#include "engine/bench/bodies/body_tasks.h"
 #include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/haptics/touch_setup.h"
 #include "tests/haptics/allocations.h"
+#include "tests/haptics/body_paths.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -77,6 +81,71 @@ TEST_CASE(
     for (const Vec3& place : path) count += felt->reactions(felt->respond({{place}}), 2.0, 1.0, room);
     CHECK(test::allocations() == before);
     CHECK(count > 200);
+  }
+}
+
+TEST_CASE(
+    "the exact body allocates nothing: turned, in spheres that move, with more pairs than its lists hold, and with "
+    "5000 "
+    "spheres in the hand") {
+  const auto free = [](const std::function<void()>& run) {
+    const long before = test::allocations();
+    run();
+    CHECK(test::allocations() == before);
+  };
+  {
+    const auto spheres = scenes::cluster(120, 4).spheres;
+    std::vector<Sphere> swollen = spheres;
+    for (Sphere& s : swollen) s.radius_A += 0.1;
+    const auto body = test::chainBody(12, 4);
+    ExactBody felt(makeScene(spheres), body);
+    const auto path = test::bodyPath(spheres, body->reach_A, 1500, 4, 0.05, 0.01, 3.0, 97);
+    const auto out = SphereMotion::make(spheres, swollen, 50), in = SphereMotion::after(**out, spheres, 50);
+    REQUIRE(in);
+    std::vector<AtomForce> room(felt.maxReactionCount());
+    int pressed = 0, turned = 0;
+    free([&] {
+      for (std::size_t k = 0; k < path.size(); ++k) {
+        if (k % 200 == 100) felt.setMotion(out->get());
+        if (k % 200 == 150) felt.setMotion(in->get());
+        if (k % 200 >= 100) felt.advanceTo(double(k % 50 + 1) / 50.0);
+        if (k % 200 == 199) felt.setMotion(nullptr);
+        const Response r = felt.respond(path[k]);
+        felt.reactions(r, 1.0, 1.0, room);
+        pressed += r.contact.touching(), turned += r.torque_A2 != Vec3(0.0);
+      }
+    });
+    CHECK(pressed > 500);
+    CHECK(turned > 500);
+  }
+  {
+    // 300 spheres of the scene, nearly in one place, times 100 of the body.
+    scenes::Random random(3);
+    std::vector<Sphere> heap, body;
+    for (int k = 0; k < 300; ++k) heap.push_back({0.1 * random.direction(), 2.0});
+    for (int k = 0; k < 100; ++k) body.push_back({0.1 * random.direction(), 1.0});
+    REQUIRE(heap.size() * body.size() > BodyPairs::kMaxFar);
+    ExactBody felt(makeScene(heap), bodyOfSpheres(body));
+    int pressed = 0;
+    free([&] {
+      for (int k = 0; k < 2000; ++k) {
+        const double t = std::min(k, 300);
+        const PoseA hand{{{0, 0.01 * t, 6.0 - 0.02 * t}}, glm::angleAxis(0.01 * t, Vec3(1, 0, 0))};
+        pressed += felt.respond(hand).contact.touching();
+      }
+    });
+    CHECK(pressed > 20);
+  }
+  {
+    const auto task = bench::bodyTask("5000", [](const std::string&) -> Expected<Molecule> { return Molecule(); });
+    REQUIRE(task);
+    ExactBody felt(task->scene, task->body);
+    const auto path = bench::pathOf(*task, 1000);
+    int pressed = 0;
+    free([&] {
+      for (const PoseA& hand : path) pressed += felt.respond(hand).contact.touching();
+    });
+    CHECK(pressed > 500);
   }
 }
 

@@ -21,11 +21,12 @@ BodyPose moved(const BodyPose& from, const Six& step, double lever_A) {
 }  // namespace
 
 PointPenalty::PointPenalty(std::shared_ptr<const SphereGrid> scene, std::shared_ptr<const HeldBody> body,
-                           double rotational_A2)
+                           double rotational_A2, double contact)
     : scene_(std::move(scene)),
       body_(std::move(body)),
       pairs_(scene_, *body_),
-      lever_(rotational_A2 > 0.0 ? std::sqrt(rotational_A2) : std::max(kMinLever_A, radiusOfGyration_A(*body_))) {}
+      lever_(rotational_A2 > 0.0 ? std::sqrt(rotational_A2) : std::max(kMinLever_A, radiusOfGyration_A(*body_))),
+      contact_(contact) {}
 
 void PointPenalty::reset() noexcept {
   armed_ = false;
@@ -57,6 +58,7 @@ Response PointPenalty::refused(const PoseA& pose, Fault fault) const noexcept {
 }
 
 PointPenalty::Balance PointPenalty::balanceAt(const BodyPose& at, const BodyPose& hand) noexcept {
+  pairs_.beginTick(BodyPairs::kUnlimited);
   pairs_.look(at);
   Balance out;
   deepest_.fill({});
@@ -71,15 +73,15 @@ PointPenalty::Balance PointPenalty::balanceAt(const BodyPose& at, const BodyPose
       out.least_gap = std::min(out.least_gap, std::sqrt(d2) - pair.radii);
       continue;
     }
-    const double d = std::sqrt(d2), depth = pair.radii - d, push = kContact * depth;
+    const double d = std::sqrt(d2), depth = pair.radii - d, push = contact_ * depth;
     if (!(d > 0.0)) continue;  // no direction is preferred
     const Vec3 n = m / d;
     const Six row(n, glm::cross(arm, n) / lever_);
     ++out.touching;
-    out.energy += 0.5 * kContact * depth * depth;
+    out.energy += 0.5 * contact_ * depth * depth;
     out.pull.add(push, row);
     // The second derivative of depth^2 / 2: N N^T less depth times that of the gap.
-    out.curvature.addOuter(kContact + push / d, row);
+    out.curvature.addOuter(contact_ + push / d, row);
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 e(0.0);
       e[axis] = 1.0;

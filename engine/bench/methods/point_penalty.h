@@ -22,13 +22,15 @@ namespace moltact::bench {
 
 class PointPenalty final : public Interaction {
  public:
-  /// Stiffness of a point's push, as a multiple of that of the spring at the hand.
+  /// Default stiffness of a point's push, as a multiple of that of the spring at the hand. docs/exact-body.md compares
+  /// others.
   static constexpr double kContact = 10.0;
   static constexpr int kMaxSteps = 30;  ///< of Newton's method per tick
 
-  /// `body` must not be null. `rotational_A2` is L^2; 0: the square of the body's radius of gyration.
+  /// `body` must not be null. `rotational_A2` is L^2; 0: the square of the body's radius of gyration. `contact`: the
+  /// stiffness of a push, as kContact.
   PointPenalty(std::shared_ptr<const SphereGrid> scene, std::shared_ptr<const HeldBody> body,
-               double rotational_A2 = 0.0);
+               double rotational_A2 = 0.0, double contact = kContact);
 
   /// Contact::scp is the body's middle; atoms and normals are those of the three deepest points. `at_rest` is false where
   /// Newton's method has not converged.
@@ -66,7 +68,7 @@ class PointPenalty final : public Interaction {
   std::shared_ptr<const SphereGrid> scene_;
   std::shared_ptr<const HeldBody> body_;
   BodyPairs pairs_;
-  double lever_;
+  double lever_, contact_;
   bool armed_ = false;
   BodyPose pose_;
   BodyPose free_from_;

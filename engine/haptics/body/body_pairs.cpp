@@ -10,7 +10,9 @@ constexpr std::int32_t kLeaf = 8;  // spheres of a leaf
 // The near list is made anew where it covers less than this, the far list where it covers less than the near list needs.
 constexpr double kMinCovered_A = 0.12;
 constexpr double kMinRange_A = 1e-6;
-constexpr double kMaxSearch_A = 16.0, kMaxSearchedRadius_A = 8.0;
+constexpr std::uint64_t kMaxSearched = 1'000;  // spheres of one search
+constexpr double kAhead_A = 0.9;               // a large body's next far list is begun where the last covers less
+constexpr double kMaxSearch_A = 5.0, kMaxSearchedRadius_A = 8.0;
 
 }  // namespace
 
@@ -19,9 +21,10 @@ BodyPairs::BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& bo
       origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
       spheres_(body.spheres),
       bound_(body.reach_A),
-      far_(kMaxFar),
       near_(kMaxNear),
       near_from_(kMaxNear) {
+  far_.pairs.resize(kMaxFar);
+  next_.pairs.resize(kMaxFar);
   for (const Sphere& s : spheres_) reach_ = std::max(reach_, glm::length(s.centre_A));
   order_.resize(spheres_.size());
   std::iota(order_.begin(), order_.end(), 0);
@@ -57,15 +60,26 @@ void BodyPairs::makeTree(std::span<const Sphere> body, std::int32_t begin, std::
 
 std::size_t BodyPairs::bytes() const noexcept {
   return spheres_.capacity() * sizeof(Sphere) + order_.capacity() * sizeof(std::int32_t) +
-         nodes_.capacity() * sizeof(Node) + (far_.capacity() + near_.capacity()) * sizeof(BodyPair);
+         nodes_.capacity() * sizeof(Node) +
+         (far_.pairs.capacity() + next_.pairs.capacity() + near_.capacity()) * sizeof(BodyPair);
 }
 
 void BodyPairs::setMotion(const SphereMotion* motion) noexcept {
+  // The far list of the motion before holds what comes near until its end, where the next one begins.
+  const bool continued = motion && motion_ && motion->continues(*motion_) && far_.range >= 0.0;
+  if (!continued) {
+    far_.range = -1.0;
+    far_.count = near_count_ = 0;
+    urgent_ = true;
+  } else if (far_.motion != motion_serial_) {
+    far_.carried += motion_->maxMotion_A();
+  }
   motion_ = motion;
   motion_serial_ = motion ? motion->serial() : 0;
   fraction_ = 0.0;
-  far_range_ = near_range_ = -1.0;
-  far_count_ = near_count_ = 0;
+  near_range_ = -1.0;
+  building_ = false;
+  stale_ = motion_ != nullptr;
   for (Node& n : nodes_) n.clear = -1.0;
 }
 
@@ -123,50 +137,102 @@ double BodyPairs::nodeClearance_A(Node& node, const Vec3& centre, double range) 
   if (to_box > range || node.radius > kMaxSearchedRadius_A) return to_box;
   const double search = std::max(node.search, 2.0 * range);
   double best = search;
+  const std::uint64_t end = work_count_ + kMaxSearched;
   grid().visitNear(origin_ + centre, node.radius + search, [&](std::uint32_t, const Sphere& b) {
     ++work_count_;
     reduceGap(best, centre - (b.centre_A - origin_), b.radius_A + node.radius);
-    return best > range;
+    return best > range && work_count_ < end;
   });
+  if (best > range && work_count_ >= end) {  // too many to look at
+    node.search = 0.5 * search;
+    return to_box;
+  }
   node.search = best < search ? std::max(0.0, best) : std::min(2.0 * search, kMaxSearch_A);
   return best;
 }
 
-// Lists the pairs within `range` at the pose; false if they exceed the capacity. During a motion, those that come within
-// it at any time of the motion.
-bool BodyPairs::gatherFar(const BodyPose& pose, double range) noexcept {
-  far_count_ = 0;
-  far_pose_ = pose;
-  far_range_ = range;
-  max_motion_ = 0.0;
+// What the far list is known to hold at a pose: every pair nearer than this.
+double BodyPairs::farRange_A(const BodyPose& pose) const noexcept {
+  double out = far_.range - surfaceMotion_A(far_.pose, pose, reach_);
+  if (motion_ && far_.motion != motion_serial_) out -= far_.carried + fraction_ * motion_->maxMotion_A();
+  return out;
+}
+
+// Begins the list of the pairs within `range` at the pose.
+void BodyPairs::beginNext(const BodyPose& pose, double range) noexcept {
+  building_ = true;
+  next_.count = 0;
+  next_.pose = pose;
+  next_.range = range;
+  next_.carried = next_.max_motion = 0.0;
+  next_.motion = motion_serial_;
+  next_from_ = work_count_;
+  at_node_ = 0;
+  at_sphere_ = -1;
+}
+
+// Goes on with the next list until it is complete (true) or the work count has reached `until`. Pairs that exceed the
+// capacity begin a list of half the range.
+bool BodyPairs::buildNext(std::uint64_t until) noexcept {
   const SphereGrid& in = grid();
-  const auto excludes = [&](Node& node, const Vec3& centre) {
-    ++work_count_;
-    if (node.clear - glm::distance(centre, node.seen_from) <= range) {
-      node.seen_from = centre;
-      node.clear = nodeClearance_A(node, centre, range);
+  const auto last = std::int32_t(nodes_.size());
+  const BodyPose& pose = next_.pose;
+  while (at_node_ < last) {
+    if (work_count_ >= until) return false;
+    Node& node = nodes_[std::size_t(at_node_)];
+    if (at_sphere_ < 0) {
+      ++work_count_;
+      const Vec3 centre = pose.place + pose.axes * node.centre;
+      if (node.clear - glm::distance(centre, node.seen_from) <= next_.range) {
+        node.seen_from = centre;
+        node.clear = nodeClearance_A(node, centre, next_.range);
+      }
+      const bool excluded = node.clear - glm::distance(centre, node.seen_from) > next_.range;
+      if (excluded || !node.leaf) {
+        at_node_ = excluded ? node.next : at_node_ + 1;
+        continue;
+      }
+      at_sphere_ = node.begin;
     }
-    return node.clear - glm::distance(centre, node.seen_from) > range;
-  };
-  const bool all = walk(nodes_, pose, excludes, [&](std::int32_t k, const Vec3& c) {
+    const std::int32_t k = at_sphere_;
     const double radius_A = spheres_[std::size_t(k)].radius_A;
+    const Vec3 c = pose.place + pose.axes * spheres_[std::size_t(k)].centre_A;
     bool fits = true;
-    in.visitNear(origin_ + c, radius_A + range, [&](std::uint32_t i, const Sphere& b) {
+    in.visitNear(origin_ + c, radius_A + next_.range, [&](std::uint32_t i, const Sphere& b) {
       ++work_count_;
       const Vec3 m = c - (b.centre_A - origin_);
-      const double within = radius_A + b.radius_A + range;
+      const double within = radius_A + b.radius_A + next_.range;
       if (glm::dot(m, m) > within * within) return true;
-      fits = far_count_ < kMaxFar;
+      fits = next_.count < kMaxFar;
       if (!fits) return false;
       const Sphere is = now(std::int32_t(i));
-      far_[far_count_++] = {is.centre_A, radius_A + is.radius_A, k, std::int32_t(i)};
-      if (motion_) max_motion_ = std::max(max_motion_, (*motion_)[i].moved_A());
+      next_.pairs[next_.count++] = {is.centre_A, radius_A + is.radius_A, k, std::int32_t(i)};
+      if (motion_) next_.max_motion = std::max(next_.max_motion, (*motion_)[i].moved_A());
       return true;
     });
-    return fits;
-  });
-  if (all) stale_ = false;
-  return all;
+    if (!fits) {
+      const double half = 0.5 * next_.range;
+      if (half > kMinRange_A) {
+        beginNext(pose, half);
+        continue;
+      }
+      // Too many spheres at one point: nothing around is known.
+      next_.range = 0.0;
+      return true;
+    }
+    if (++at_sphere_ == node.end) at_sphere_ = -1, ++at_node_;
+  }
+  return true;
+}
+
+void BodyPairs::takeNext() noexcept {
+  std::swap(far_, next_);
+  last_work_ = work_count_ - next_from_;
+  fits_ = std::clamp(2.0 * far_.range, 4.0 * kMinRange_A, kFar_A);
+  building_ = urgent_ = false;
+  near_range_ = -1.0;
+  near_count_ = 0;
+  if (motion_) refresh();
 }
 
 bool BodyPairs::gatherNear(const BodyPose& pose, double range) noexcept {
@@ -174,11 +240,11 @@ bool BodyPairs::gatherNear(const BodyPose& pose, double range) noexcept {
   near_pose_ = pose;
   near_range_ = range;
   near_fraction_ = fraction_;
-  work_count_ += far_count_;
+  work_count_ += far_.count;
   std::int32_t sphere = -1;
   Vec3 c(0.0);
-  for (std::size_t k = 0; k < far_count_; ++k) {
-    const BodyPair& pair = far_[k];
+  for (std::size_t k = 0; k < far_.count; ++k) {
+    const BodyPair& pair = far_.pairs[k];
     if (pair.sphere != sphere) {
       sphere = pair.sphere;
       c = pose.place + pose.axes * spheres_[std::size_t(sphere)].centre_A;
@@ -196,25 +262,62 @@ bool BodyPairs::gatherNear(const BodyPose& pose, double range) noexcept {
 // Recomputes the listed spheres of the scene at the present fraction.
 void BodyPairs::refresh() noexcept {
   stale_ = false;
-  work_count_ += far_count_;
-  for (std::size_t k = 0; k < far_count_; ++k) {
-    BodyPair& pair = far_[k];
+  work_count_ += far_.count;
+  for (std::size_t k = 0; k < far_.count; ++k) {
+    BodyPair& pair = far_.pairs[k];
     const Sphere b = now(pair.atom);
     pair.centre = b.centre_A;
     pair.radii = spheres_[std::size_t(pair.sphere)].radius_A + b.radius_A;
   }
-  for (std::size_t k = 0; k < near_count_; ++k) near_[k] = far_[std::size_t(near_from_[k])];
+  for (std::size_t k = 0; k < near_count_; ++k) near_[k] = far_.pairs[std::size_t(near_from_[k])];
 }
 
 void BodyPairs::look(const BodyPose& pose) noexcept {
   if (stale_) refresh();
-  if (near_range_ >= 0.0 && covered_A(pose) >= std::min(kMinCovered_A, 0.3 * near_range_)) return;
-  // The far list holds every pair that comes within far_range_ of its pose at any time of the motion.
-  double range = far_range_ - surfaceMotion_A(far_pose_, pose, reach_);
-  if (!(far_range_ >= 0.0 && range >= std::min(kNear_A, 0.25 * far_range_))) {
-    range = kFar_A;
-    while (!gatherFar(pose, range) && range > kMinRange_A) range *= 0.5;
-    if (range <= kMinRange_A) range = far_range_ = 0.0;  // too many spheres at one point: nothing around is known
+  exhausted_ = false;
+  const auto lacking = [&] {
+    return !(near_range_ >= 0.0 && covered_A(pose) >= std::min(kMinCovered_A, 0.3 * near_range_));
+  };
+  // While the next list of a large body is being made, the last one serves a little longer.
+  const auto farLacking = [&] {
+    const double least = building_ && last_work_ > kSlice ? kMinCovered_A : kNear_A;
+    return !(far_.range >= 0.0 && farRange_A(pose) >= std::min(least, 0.25 * far_.range));
+  };
+  bool lacks = lacking();
+  if (!lacks || !farLacking()) {
+    // The next list of a large body is made ahead, and that of a motion that continues the last.
+    const bool carried = motion_ && far_.motion != motion_serial_;
+    if (!building_ && (carried || (last_work_ > kSlice && farRange_A(pose) < kAhead_A))) beginNext(pose, fits_);
+    if (building_ && ahead_left_ > 0) {
+      const std::uint64_t before = work_count_;
+      if (buildNext(before + ahead_left_)) {
+        takeNext();
+        lacks = true;
+      }
+      ahead_left_ -= std::min(ahead_left_, work_count_ - before);
+    }
+    if (!lacks) return;
+  }
+  // Spheres that have moved into what is not known do not wait.
+  const std::uint64_t until = urgent_ || (motion_ && farRange_A(pose) < 0.0) ? kUnlimited : tick_end_;
+  while (farLacking()) {
+    if (!building_) beginNext(pose, fits_);
+    if (!buildNext(until)) {
+      exhausted_ = true;
+      break;
+    }
+    takeNext();
+  }
+  lacks = lacking();
+  const double range = std::max(0.0, farRange_A(pose));
+  if (!lacks || far_.range < 0.0) return;
+  if (near_range_ >= 0.0 && covered_A(pose) >= 0.0) {
+    // A list that could not be better, or one more than the tick's work.
+    if (exhausted_ && !(range > covered_A(pose))) return;
+    if (work_count_ >= until) {
+      exhausted_ = true;
+      return;
+    }
   }
   double near = std::min(range, kNear_A);
   while (!gatherNear(pose, near) && near > kMinRange_A) near *= 0.5;

@@ -1,8 +1,9 @@
 // The pairs of a held body's sphere and a scene's sphere whose surfaces are near each other, in two lists: `far` within
 // 1.6 A, `near` within 0.4 A and made from it. A list stays in use while the motion of the body and of the scene's
-// spheres since it was made is smaller than its range. A tree of bounding spheres over the body excludes the parts that
-// are far from the scene. Haptic thread; no allocation after construction. Units: angstrom. Positions are relative to
-// origin(), which preserves precision in a scene far from the zero point.
+// spheres since it was made is smaller than its range. The next far list is made ahead, in slices over several ticks, so
+// that the work of a tick is bounded by count however large the body is. A tree of bounding spheres over the body excludes
+// the parts that are far from the scene. Haptic thread; no allocation after construction. Units: angstrom. Positions are
+// relative to origin(), which preserves precision in a scene far from the zero point.
 #pragma once
 
 #include <algorithm>
@@ -49,6 +50,9 @@ class BodyPairs {
  public:
   static constexpr std::size_t kMaxFar = 16384, kMaxNear = 512;
   static constexpr double kFar_A = 1.6, kNear_A = 0.4;
+  /// Spheres, pairs and nodes that a tick examines at most for its lists, but for those of the last item that it begins.
+  /// While the next far list is not needed yet, a tick spends at most kSlice on it.
+  static constexpr std::uint64_t kMaxWork = 9'000, kSlice = 3'000;
 
   BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& body);
 
@@ -59,8 +63,16 @@ class BodyPairs {
   std::int32_t indexInBody(std::int32_t sphere) const noexcept { return order_[std::size_t(sphere)]; }
   double reach_A() const noexcept { return reach_; }  ///< largest distance of a sphere's centre from the middle
 
-  /// Brings the lists up to date for a pose.
+  static constexpr std::uint64_t kUnlimited = ~std::uint64_t{0};
+  /// Begins a tick: look() may do so much work from now on.
+  void beginTick(std::uint64_t work = kMaxWork) noexcept {
+    tick_end_ = work == kUnlimited ? kUnlimited : work_count_ + work;
+    ahead_left_ = kSlice;
+  }
+  /// Brings the lists up to date for a pose, as far as the tick's work allows.
   void look(const BodyPose& pose) noexcept;
+  /// True if the tick's work is done and look() would have made a list.
+  bool exhausted() const noexcept { return exhausted_; }
   std::span<const BodyPair> near() const noexcept { return {near_.data(), near_count_}; }
   /// After look(): every pair that is not in near() has at least this gap at the pose, and during a motion of the body
   /// by less than it.
@@ -77,10 +89,13 @@ class BodyPairs {
   void advanceTo(double fraction) noexcept;
   double fraction() const noexcept { return fraction_; }
   /// Upper bound of the motion of a listed sphere during the whole motion.
-  double maxMotion_A() const noexcept { return motion_ ? max_motion_ : 0.0; }
+  double maxMotion_A() const noexcept {
+    return !motion_ ? 0.0 : far_.motion == motion_serial_ ? far_.max_motion : motion_->maxMotion_A();
+  }
 
-  std::size_t farCount() const noexcept { return far_count_; }
-  std::uint64_t workCount() const noexcept { return work_count_; }  ///< spheres and nodes examined since the start
+  std::size_t farCount() const noexcept { return far_.count; }
+  /// Spheres, pairs and nodes examined since the start.
+  std::uint64_t workCount() const noexcept { return work_count_; }
   std::size_t bytes() const noexcept;
 
  private:
@@ -105,9 +120,22 @@ class BodyPairs {
   bool walk(Nodes& nodes, const BodyPose& pose, Excludes excludes, Visit visit) const noexcept;
   double nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept;
   void makeTree(std::span<const Sphere> body, std::int32_t begin, std::int32_t end);
-  bool gatherFar(const BodyPose& pose, double range) noexcept;
   bool gatherNear(const BodyPose& pose, double range) noexcept;
   void refresh() noexcept;
+  double farRange_A(const BodyPose& pose) const noexcept;
+  void beginNext(const BodyPose& pose, double range) noexcept;
+  bool buildNext(std::uint64_t until) noexcept;
+  void takeNext() noexcept;
+
+  // The pairs within `range` of each other at `pose`; during a motion those that come within it at any time of the motion
+  // `motion`. `carried`: how far the spheres may have moved in whole motions since.
+  struct FarList {
+    std::vector<BodyPair> pairs;  // allocated for kMaxFar
+    std::size_t count = 0;
+    BodyPose pose;
+    double range = -1.0, carried = 0.0, max_motion = 0.0;
+    std::uint64_t motion = 0;
+  };
 
   std::shared_ptr<const SphereGrid> scene_;
   Vec3 origin_;
@@ -118,15 +146,22 @@ class BodyPairs {
 
   const SphereMotion* motion_ = nullptr;
   std::uint64_t motion_serial_ = 0;
-  double fraction_ = 0.0, max_motion_ = 0.0;
-  bool stale_ = false;  // the scene's spheres have moved since refresh()
+  double fraction_ = 0.0;
+  bool stale_ = false;   // the scene's spheres have moved since refresh()
+  bool urgent_ = false;  // nothing is known of the spheres of a new motion: a list is made at once
 
-  std::vector<BodyPair> far_, near_;  // allocated for kMaxFar and kMaxNear
-  std::size_t far_count_ = 0, near_count_ = 0;
+  FarList far_, next_;
+  bool building_ = false;
+  double fits_ = kFar_A;                       // range of the next list: where the last did not fit, twice what did
+  std::int32_t at_node_ = 0, at_sphere_ = -1;  // where buildNext() goes on; at_sphere_ < 0: at the node itself
+  std::vector<BodyPair> near_;                 // allocated for kMaxNear
+  std::size_t near_count_ = 0;
   std::vector<std::int32_t> near_from_;  // index in far_ of each entry of near_
-  BodyPose far_pose_, near_pose_;
-  double far_range_ = -1.0, near_range_ = -1.0, near_fraction_ = 0.0;
-  std::uint64_t work_count_ = 0;
+  BodyPose near_pose_;
+  double near_range_ = -1.0, near_fraction_ = 0.0;
+  std::uint64_t work_count_ = 0, tick_end_ = kUnlimited, next_from_ = 0, last_work_ = 0;
+  std::uint64_t ahead_left_ = 0;  // of kSlice in this tick
+  bool exhausted_ = false;
 };
 
 }  // namespace moltact

@@ -54,7 +54,9 @@ void ExactBody::followScene() noexcept {
   if (armed_) {
     pairs_.look(pose_);
     const double motion = std::abs(goal_fraction_ - from) * pairs_.maxMotion_A();
-    const int pieces = int(std::clamp(std::ceil(motion / kScenePiece_A), 1.0, kMaxScenePieces));
+    // Each piece computes the listed spheres anew.
+    const double most = std::clamp(double(BodyPairs::kMaxWork) / double(1 + pairs_.farCount()), 1.0, kMaxScenePieces);
+    const int pieces = int(std::clamp(std::ceil(motion / kScenePiece_A), 1.0, std::floor(most)));
     for (int k = 1; k <= pieces; ++k) {
       pairs_.advanceTo(k == pieces ? goal_fraction_ : from + (goal_fraction_ - from) * k / pieces);
       rows_known_ = false;
@@ -75,6 +77,7 @@ bool ExactBody::armed(const PoseA& pose) noexcept {
   armed_ = true;
   coupling_.begin(pose);
   pose_ = hand;
+  if (observer_) observer_->placed(inScene(pose_));
   return true;
 }
 
@@ -88,14 +91,18 @@ Response ExactBody::respond(const PoseA& pose) noexcept {
   if (!finite(pose.place.A) || !rotates(pose.orientation) ||
       glm::length(pose.place.A) > kMaxPosition_A - body_->reach_A)
     return refused(Fault::NotFinite);
+  if (pairs_.exhausted()) rows_known_ = metric_known_ = false;  // the lists of the last tick go on
+  pairs_.beginTick();
+  work_from_ = pairs_.workCount();
+  steps_ = changes_ = 0;
+  max_changes_ = kMaxSceneChanges;
   if (moved_) followScene();
   if (!armed(pose)) return refused(Fault::StartedInside);
   hand_ = BodyPose(pose.place.A - pairs_.origin(),
                    coupling_.orientation(pose, pose_.orientation, held_count_ == 0, lever_));
-  steps_ = changes_ = 0;
+  max_changes_ = changes_ + kMaxChanges;
   if (held_count_ == 0 && surfaceMotion_A(free_from_, hand_, pairs_.reach_A()) < free_room_) {
-    pose_ = hand_;
-    rows_known_ = metric_known_ = false;
+    go(hand_);
     at_rest_ = true;
   } else {
     seekRest();

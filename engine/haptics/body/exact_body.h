@@ -23,10 +23,27 @@
 
 namespace moltact {
 
+/// Receives the way of an exact body between its ticks, for tests and the bench. Called on the thread of respond().
+class BodyPathObserver {
+ public:
+  /// The body is placed without a path: at the start, or after it was let go.
+  virtual void placed(const PoseA& at) noexcept = 0;
+  /// The body moves straight: its middle along a line, its orientation about a fixed axis by less than pi. The spheres are
+  /// at `fraction` of their motion meanwhile.
+  virtual void moved(const PoseA& from, const PoseA& to, double fraction) noexcept = 0;
+  /// The search gives up its last steps: the body is back at a pose at which it has been in this tick.
+  virtual void returned(const PoseA& to) noexcept = 0;
+
+ protected:
+  ~BodyPathObserver() = default;
+};
+
 class ExactBody final : public Interaction {
  public:
-  static constexpr int kMaxSteps = 40;      ///< steps per tick; beyond them the search continues in the next tick
-  static constexpr int kMaxChanges = 600;   ///< changes of active constraints per tick, likewise
+  static constexpr int kMaxSteps = 40;  ///< steps per tick; beyond them the search continues in the next tick
+  /// Programs and changes of their active constraints per tick, likewise; and those of a tick that moves the body out of
+  /// spheres, beyond which the scene counts as closed over it.
+  static constexpr int kMaxChanges = 600, kMaxSceneChanges = 1200;
   static constexpr double kSkin_A = 1e-10;  ///< spheres come no nearer than this
 
   /// `body` must not be null. `rotational_A2` is k_r / k = L^2 (unit: square angstrom per square radian); 0: the square
@@ -53,10 +70,15 @@ class ExactBody final : public Interaction {
 
   double lever_A() const noexcept { return lever_; }  ///< L
   /// The pose to which the springs pull: the hand's of the last tick, its orientation after the slip.
-  PoseA coupledHand() const noexcept { return {{pairs_.origin() + hand_.place}, hand_.orientation}; }
-  int steps() const noexcept { return steps_; }              ///< of the last tick
-  int changes() const noexcept { return changes_; }          ///< of active constraints in the last tick
+  PoseA coupledHand() const noexcept { return inScene(hand_); }
+  int steps() const noexcept { return steps_; }  ///< of the last tick
+  /// Programs and changes of active constraints in the last tick, at most kMaxSceneChanges + kMaxChanges.
+  int changes() const noexcept { return changes_; }
+  /// Spheres, pairs and nodes examined for the lists of pairs in the last tick (BodyPairs::kMaxWork).
+  std::uint64_t listWork() const noexcept { return pairs_.workCount() - work_from_; }
   int contactCount() const noexcept { return held_count_; }  ///< contacts with a multiplier, at most six
+  /// Reports each step from now on; null: none. The observer must outlive its use.
+  void observe(BodyPathObserver* observer) noexcept { observer_ = observer; }
 
  private:
   // A contact of the active set.
@@ -87,6 +109,7 @@ class ExactBody final : public Interaction {
   bool squeezed(const Six& pull) noexcept;
   bool restored() noexcept;
   void go(const BodyPose& to) noexcept;
+  PoseA inScene(const BodyPose& pose) const noexcept { return {{pairs_.origin() + pose.place}, pose.orientation}; }
   void hold(const QpSolution& solution, double part) noexcept;
   Saved saved() const noexcept { return {pose_, held_, held_count_}; }
   void returnTo(const Saved& to) noexcept;
@@ -99,6 +122,7 @@ class ExactBody final : public Interaction {
   double motion_A(const Six& step) const noexcept;
   QpSolution solve(const Factor6* metric, const Six& pull, double rotation_rad) noexcept;
   Matrix6 hessian(const Vec3& theta) const noexcept;
+  QpSolution program(const Factor6* metric, const Six& pull, std::span<const int> preferred) noexcept;
   void lookAtMetric(const Six& pull) noexcept;
   double smallestCurvature(const Six& pull, Six& direction) const noexcept;
 
@@ -122,7 +146,8 @@ class ExactBody final : public Interaction {
   double rotation_ = 0.0;        // bound of the next step's rotation, which the constraints allow for
   double last_turned_ = 0.0;     // rotation of the last step of this tick
   double first_rotation_ = 0.0;  // of the first step of a tick
-  int steps_ = 0, changes_ = 0;
+  int steps_ = 0, changes_ = 0, max_changes_ = kMaxChanges;  // of this tick
+  std::uint64_t work_from_ = 0;
 
   // At pose_, where rows_known_:
   bool rows_known_ = false, metric_known_ = false;
@@ -135,6 +160,7 @@ class ExactBody final : public Interaction {
   QpSolution solution_;
   double part_ = 1.0;  // share of the pull for which solution_ was found
   SmallQp qp_;
+  BodyPathObserver* observer_ = nullptr;
 };
 
 }  // namespace moltact

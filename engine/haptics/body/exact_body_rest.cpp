@@ -21,6 +21,7 @@ constexpr double kNextRotation = 0.2;  // bound of the next rotation relative to
 constexpr double kMargin = 1.4,
                  kMaxGrowth = 2.5;  // of the bound of the next rotation while the rotations do not shrink
 constexpr double kMinRotation = 1e-13;
+constexpr double kLeastRoom_A = 1e-3;  // with less, a body whose next list is not complete waits for the next tick
 
 }  // namespace
 
@@ -36,12 +37,15 @@ void ExactBody::hold(const QpSolution& solution, double part) noexcept {
 }
 
 void ExactBody::go(const BodyPose& to) noexcept {
+  if (observer_) observer_->moved(inScene(pose_), inScene(to), pairs_.fraction());
   pose_ = to;
   rows_known_ = metric_known_ = false;
 }
 
 void ExactBody::returnTo(const Saved& to) noexcept {
-  go(to.pose);
+  if (observer_) observer_->returned(inScene(to.pose));
+  pose_ = to.pose;
+  rows_known_ = metric_known_ = false;
   held_ = to.held;
   held_count_ = to.held_count;
 }
@@ -66,12 +70,14 @@ void ExactBody::seekRest() noexcept {
   at_rest_ = false;
   rotation_ = std::max(first_rotation_, kMinRotation);
   part_ = 1.0;
-  while (steps_ < kMaxSteps && changes_ < kMaxChanges) {
+  while (steps_ < kMaxSteps && changes_ < max_changes_) {
     lookAround();
+    if (pairs_.exhausted() && room_ < kLeastRoom_A) break;
     const Six d = pull();
     if (converged(d)) {
       const double energy = energyAt(pose_);
       if (held_count_ == 0) {
+        if (observer_) observer_->moved(inScene(pose_), inScene(hand_), pairs_.fraction());
         pose_ = hand_;
         at_rest_ = true;
         break;
@@ -164,7 +170,7 @@ bool ExactBody::regulated(const Factor6* metric, Six pull) noexcept {
   // After a step that was cut to the cap, the next begins with a similar share of the pull.
   part_ = metric ? std::min(1.0, kMargin * part_) : 1.0;
   pull.scale(part_);
-  for (int tries = 0; tries < 16 && changes_ < 2 * kMaxChanges; ++tries) {
+  for (int tries = 0; tries < 16 && changes_ < max_changes_; ++tries) {
     solution_ = solve(metric, pull, rotation_);
     if (!solution_.feasible) {
       if (++shrunk > 5) return false;
@@ -239,9 +245,7 @@ bool ExactBody::restored() noexcept {
     if (least >= 0.5 * kSkin_A) return true;
     const double sink = 0.5 * turned * turned * pairs_.reach_A();
     for (std::size_t r = 0; r < row_count_; ++r) bounds_[r] = kSkin_A - gaps_[r] + (gaps_[r] < 0.1 ? sink : 0.0);
-    const QpSolution out =
-        qp_.solve(nullptr, {}, {rows_.data(), row_count_}, {bounds_.data(), row_count_}, std::span<const int>());
-    changes_ += 1 + out.changes;
+    const QpSolution out = program(nullptr, {}, {});
     if (!out.feasible) {
       if (turned == 0.0) return false;
       turned = 0.0;

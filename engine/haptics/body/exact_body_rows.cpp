@@ -88,8 +88,15 @@ QpSolution ExactBody::solve(const Factor6* metric, const Six& pull, double rotat
   }
   std::array<int, 6> preferred{};
   for (int k = 0; k < held_count_; ++k) preferred[std::size_t(k)] = held_[std::size_t(k)].row;
-  const QpSolution out = qp_.solve(metric, pull, {rows_.data(), row_count_}, {bounds_.data(), row_count_},
-                                   {preferred.data(), std::size_t(held_count_)});
+  return program(metric, pull, {preferred.data(), std::size_t(held_count_)});
+}
+
+// Solves the program of rows_ and bounds_; not feasible beyond the tick's work.
+QpSolution ExactBody::program(const Factor6* metric, const Six& pull, std::span<const int> preferred) noexcept {
+  const int left = max_changes_ - changes_ - 2;
+  if (left < 0) return {};
+  const QpSolution out =
+      qp_.solve(metric, pull, {rows_.data(), row_count_}, {bounds_.data(), row_count_}, preferred, left);
   changes_ += 1 + out.changes;
   return out;
 }

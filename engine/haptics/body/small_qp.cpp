@@ -71,7 +71,7 @@ bool SmallQp::closed(QpSolution& out, const Factor6* metric) const noexcept {
 }
 
 QpSolution SmallQp::solve(const Factor6* metric, const Six& pull, std::span<const Six> rows,
-                          std::span<const double> bounds, std::span<const int> preferred) noexcept {
+                          std::span<const double> bounds, std::span<const int> preferred, int max_changes) noexcept {
   QpSolution out;
   count_ = 0;
   out.step = metric ? metric->backward(metric->forward(pull)) : pull;
@@ -106,7 +106,7 @@ QpSolution SmallQp::solve(const Factor6* metric, const Six& pull, std::span<cons
     const Six normal = metric ? metric->forward(rows[std::size_t(worst)]) : rows[std::size_t(worst)];
     double lambda = 0.0, missing = -slack_[std::size_t(worst)];
     for (;;) {
-      if (++out.changes > kMaxChanges) return out;
+      if (++out.changes > std::min(max_changes, kMaxChanges)) return out;
       const Entering with = entering(normal);
       double partial = kNever;
       int leaves = -1;

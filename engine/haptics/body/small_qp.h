@@ -29,9 +29,10 @@ class SmallQp {
 
   /// Minimizes step^T B step / 2 - pull . step subject to rows[k] . step >= bounds[k]. `metric` is the factor of B;
   /// null: B is the identity. Violated constraints of `preferred` enter the active set first, which shortens the search
-  /// if they are the active set of a similar program. Spans of equal length, at most kMaxRows.
+  /// if they are the active set of a similar program. Spans of equal length, at most kMaxRows. More than `max_changes`
+  /// end the search as kMaxChanges do; QpSolution::changes is at most one more.
   QpSolution solve(const Factor6* metric, const Six& pull, std::span<const Six> rows, std::span<const double> bounds,
-                   std::span<const int> preferred) noexcept;
+                   std::span<const int> preferred, int max_changes = kMaxChanges) noexcept;
 
  private:
   struct Entering {
