@@ -1,0 +1,197 @@
+"""A simulation in the page: OpenMM's platform Reference in a worker, against the native one and against closed forms."""
+import json
+import math
+import os
+import re
+import subprocess
+
+from files_tests import FilesTest
+from page import DESKTOP, PAGE, ROOT
+
+LESSON = """---
+title: Alive
+minutes: 5
+goals: Touch it
+molecules: {molecule}
+author: A. Teacher
+licence: CC-BY-4.0
+---
+## The first step
+```scene
+molecule: {molecule}
+simulation: {system}
+panels: motion
+```
+```touch
+reach: residue 2
+say: Touch it.
+```
+"""
+
+# A simulation of a molecule of the program, driven as engine/dynamics/begin_simulation_web.cpp drives it. The rows of
+# numbers are those of engine/dynamics/simulation_message.cpp.
+DRIVE = """
+async function drive(name, hold) {
+  const read = (file) => new TextDecoder().decode(moltact.FS.readFile("/moltact/molecules/" + file));
+  const at = read(name + ".pdb").split("\\n").filter((l) => /^(ATOM|HETATM)/.test(l))
+      .flatMap((l) => [30, 38, 46].map((k) => Number(l.slice(k, k + 8))));
+  const all = moltact.simulations;
+  const number = all.open(read(name + ".xml"), Float64Array.from([300, 2, hold, 1, 0, ...at]));
+  const next = async () => {
+    for (let k = 0; k < 2000; ++k) {
+      const kind = all.news(number);
+      if (kind) return {kind, text: all.text(number), numbers: Array.from(all.numbers(number))};
+      await new Promise((done) => setTimeout(done, 5));
+    }
+    throw new Error("no answer");
+  };
+  const ask = async (elapsed_s, running, ps_per_s, pushes = []) => {
+    all.ask(number, Float64Array.from([elapsed_s, running, ps_per_s, 300, 0, 0, 0, ...pushes]));
+    const n = (await next()).numbers;
+    return {potential: n[2], kelvin: n[4], ps: n[1], blow_ups: n[7], starts: n[6], at: n.slice(9)};
+  };
+  return {number, first: await next(), ask, end: () => all.close(number)};
+}
+"""
+
+
+class SimulationTest(FilesTest):
+    def page(self):
+        browser = self.browser()
+        browser.open(PAGE.as_uri())
+        return browser
+
+    def drive(self, browser, body):
+        """What a JavaScript function says that has `s`, a simulation of alanine dipeptide held by its centre."""
+        return json.loads(browser.evaluate(
+            "(async () => {" + DRIVE + "const s = await drive('alanine-dipeptide', 5); const out = await (async () => {" + body
+            + "})(); s.end(); return JSON.stringify(out); })()", patience_s=180))
+
+    def lesson(self, browser, molecule="alanine-dipeptide", system="alanine-dipeptide.xml", **files):
+        folder = self.folder()
+        (folder / "alive.md").write_text(LESSON.format(molecule=molecule, system=system))
+        paths = [folder / "alive.md"]
+        for name, text in files.items():
+            paths.append(folder / name.replace("_", "."))
+            paths[-1].write_text(text)
+        self.drop(browser, *paths)
+        browser.wait_for("lesson/step", "The first step")
+
+    def workers(self, browser):
+        return browser.evaluate("moltact.simulations.all.size")
+
+
+class Module(SimulationTest):
+    def test_its_energy_at_the_first_positions_is_that_of_the_native_platform_Reference_within_1e_6(self):
+        native = subprocess.run([DESKTOP, "simulate", "run", "alanine-dipeptide", "--platform", "Reference", "--ps", "0.1"],
+                                capture_output=True, text=True, env={**os.environ, "MOLTACT_HOME": str(ROOT)})
+        self.assertEqual(native.returncode, 0, native.stderr)
+        wanted = float(re.search(r"at the start (\S+) kcal/mol", native.stdout)[1])
+        got = self.drive(self.page(), "const f = await s.ask(0, 0, 1); return [s.first, f.potential, f.ps];")
+        self.assertEqual(got[0]["kind"], 1, got[0]["text"])
+        name, platform = got[0]["text"].split("\n")
+        self.assertRegex(name, r"^OpenMM \d")
+        self.assertEqual(platform, "Reference")
+        step_ps, steps_per_s, *masses = got[0]["numbers"]
+        self.assertEqual(step_ps, 0.004)
+        self.assertEqual(len(masses), 22)
+        self.assertEqual(got[2], 0.0)
+        self.assertLess(abs(got[1] - wanted), 1e-6 * abs(wanted), f"page {got[1]}, native {wanted}")
+        print(f"alanine dipeptide, 22 atoms: {steps_per_s:.0f} steps per second in the page; potential energy at the start "
+              f"{got[1]:.9g} kcal/mol, native {wanted:.9g}")
+
+    def test_in_400_ps_its_mean_temperature_is_that_of_the_bath_within_four_sampling_errors_of_3_K(self):
+        # The temperature of 51 degrees of freedom varies by 300 K sqrt(2 / 51); samples 1 ps apart are independent.
+        mean = self.drive(self.page(), """let sum = 0;
+            for (let k = 0; k < 450; ++k) { const f = await s.ask(0.1, 1, 10); if (k >= 50) sum += f.kelvin; }
+            return sum / 400;""")
+        print(f"mean temperature {mean:.1f} K")
+        self.assertLess(abs(mean - 300.0), 4 * 300.0 * math.sqrt(2 / 51 / 400))
+
+    def test_a_push_moves_its_atom_to_the_plane_of_the_spring_and_the_other_way_when_it_points_the_other_way(self):
+        moved = self.drive(self.page(), """const first = await s.ask(0, 0, 1); const out = [];
+            for (const sign of [1, -1]) {
+              const x = first.at[3 * 8] + 2 * sign;
+              const push = [8, x, first.at[25], first.at[26], sign, 0, 0, 100];
+              let sum = 0;
+              for (let k = 0; k < 40; ++k) { const f = await s.ask(0.1, 1, 10, push); if (k >= 20) sum += f.at[24]; }
+              out.push(sum / 20 - first.at[24]);
+            }
+            return out;""")
+        print(f"pushed by 2 A: moved by {moved[0]:.2f} and {moved[1]:.2f} A")
+        self.assertGreater(moved[0], 1.5)
+        self.assertLess(moved[1], -1.5)
+
+    def test_a_run_that_blows_up_stands_at_its_beginning_and_goes_on_when_it_is_started_again(self):
+        got = self.drive(self.page(), """const first = await s.ask(0, 0, 1);
+            const grip = [8, 500, 0, 0, 0, 0, 0, 1e6];
+            let f = first;
+            for (let k = 0; k < 20 && !f.blow_ups; ++k) f = await s.ask(0.1, 1, 10, grip);
+            return [f.blow_ups, Math.max(...f.at.map((x, k) => Math.abs(x - first.at[k]))), f.starts];""")
+        self.assertEqual(got[0], 1)
+        self.assertLess(got[1], 1e-3)
+        self.assertEqual(got[2], 1)
+
+
+class InALesson(SimulationTest):
+    def test_a_lessons_molecule_moves_and_the_worker_ends_with_the_lesson(self):
+        browser = self.page()
+        self.assertEqual(self.workers(browser), 0)
+        self.assertTrue(browser.evaluate("document.getElementById('simulation-bytes') !== null"), "unpacked too early")
+        self.lesson(browser)
+        browser.wait_for("simulation/time", "Simulated", seen=True)
+        began = float(re.search(r"[\d.]+", browser.text("simulation/time"))[0])
+        browser.frames(60)
+        self.assertGreater(float(re.search(r"[\d.]+", browser.text("simulation/time"))[0]), began)
+        self.picture(browser, "simulation")
+        moved = browser.evaluate("""(() => { const f = [...moltact.simulations.all.values()][0].newest.numbers;
+            const p = new TextDecoder().decode(moltact.FS.readFile('/moltact/molecules/alanine-dipeptide.pdb')).split('\\n')
+                .filter((l) => /^(ATOM|HETATM)/.test(l)).map((l) => Number(l.slice(30, 38)));
+            return Math.max(...p.map((x, k) => Math.abs(f[9 + 3 * k] - x))); })()""")
+        self.assertGreater(moved, 0.1)
+        self.assertLess(moved, 6.0)
+        self.assertEqual(self.workers(browser), 1)
+        browser.click("simulation/play")
+        browser.frames(10)
+        still = browser.text("simulation/time")
+        browser.frames(20)
+        self.assertEqual(browser.text("simulation/time"), still)
+        browser.key("Escape")
+        browser.click("lesson/close") if browser.text("lesson/close") is not None else browser.open(PAGE.as_uri())
+        browser.until("moltact.simulations.all.size === 0")
+        self.no_errors(browser)
+
+    def test_a_worker_that_dies_ends_the_simulation_with_its_reason_and_it_can_be_switched_on_again(self):
+        browser = self.page()
+        self.lesson(browser)
+        browser.wait_for("simulation/time", "Simulated")
+        browser.evaluate("[...moltact.simulations.all.values()][0].worker.dispatchEvent("
+                         "new ErrorEvent('error', {message: 'out of memory', cancelable: true}))")
+        browser.wait_for("message/0", "the simulation has ended: out of memory")
+        self.assertEqual(self.workers(browser), 0)
+        browser.click("simulation")
+        browser.frames(5)
+        browser.click("simulation")
+        browser.wait_for("simulation/time", "Simulated")
+        self.assertEqual(self.workers(browser), 1)
+
+    def test_a_worker_that_answers_no_more_counts_as_lost_after_10_s(self):
+        browser = self.page()
+        self.lesson(browser)
+        browser.wait_for("simulation/time", "Simulated")
+        browser.evaluate("[...moltact.simulations.all.values()][0].worker.terminate()")
+        browser.wait_for("message/0", "it has not answered for 10 s")
+        self.assertEqual(self.workers(browser), 0)
+
+    def test_a_system_that_is_none_and_one_of_another_molecule_are_refused_with_the_reason(self):
+        other = (ROOT / "molecules" / "alanine-dipeptide.xml").read_text()
+        for molecule, text, reason in (("alanine-dipeptide", "<no system>", "OpenMM cannot simulate this system"),
+                                       ("benzene", other, "22 particles, not 12"),
+                                       ("1ubq", other, "a page in a browser simulates at most")):
+            with self.subTest(molecule=molecule):
+                browser = self.page()
+                self.lesson(browser, molecule, "own.xml", own_xml=text)
+                browser.wait_for("message/0", reason)
+                self.assertEqual(self.workers(browser), 0)
+                self.no_errors(browser)
+                browser.close()
