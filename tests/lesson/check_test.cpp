@@ -56,6 +56,25 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
   CHECK(check.lesson.has_value());
 }
 
+TEST_CASE("a simulated molecule of 501 atoms, more than a page simulates, is a warning; one of 500 is none") {
+  const auto warned = [](std::size_t atoms) {
+    Molecule molecule = mixedMolecule();
+    while (molecule.atoms.size() < atoms) {
+      molecule.atoms.push_back(molecule.atoms.back());
+      molecule.spheres.push_back(molecule.spheres.back());
+    }
+    const auto shared = std::make_shared<const Molecule>(std::move(molecule));
+    const std::string step = "## One step\n```scene\nmolecule: mix\nsimulation: mix.xml\n```\nText.\n";
+    return texts(checkLesson("l.md", kHead + step, [&](const NamedMolecule&) -> Expected<decltype(shared)> {
+                   return shared;
+                 }).warnings);
+  };
+  CHECK(warned(500).empty());
+  CHECK(warned(501) ==
+        Texts{"l.md:12:13: a page in a browser simulates at most 500 atoms: it shows this molecule, of 501, at rest; "
+              "take a part of it, or have students use the desktop program"});
+}
+
 TEST_CASE(
     "a lesson's name gives its language; an ending that is not a language is a warning, a "
     "contradiction an error") {
