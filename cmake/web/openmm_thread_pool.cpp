@@ -1,9 +1,9 @@
 // OpenMM's pool of threads for a page, which has none: one task at a time, carried out by the caller. It replaces
 // openmmapi/src/ThreadPool.cpp, which starts threads and asks an x86 processor for its features. Tasks that wait for each
 // other (syncThreads) are only in the platform CPU, which a page does not have.
-#include "openmm/internal/ThreadPool.h"
-
 #include <stdexcept>
+
+#include "openmm/internal/ThreadPool.h"
 
 namespace OpenMM {
 

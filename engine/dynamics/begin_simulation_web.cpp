@@ -158,10 +158,10 @@ Expected<std::unique_ptr<LiveSimulation>> beginSimulation(const std::filesystem:
                                                           std::shared_ptr<const Molecule> molecule, MdStart start,
                                                           SimulationPace) {
   if (const std::size_t count = molecule->atoms.size(); count > mostSimulatedHere())
-    return Problem{system.filename().string(), 0, 0,
-                   trf("the molecule has {0} atoms; a page in a browser simulates at most {1}", count,
-                       mostSimulatedHere()),
-                   tr("take a part of it, or use the desktop program")};
+    return Problem{
+        system.filename().string(), 0, 0,
+        trf("the molecule has {0} atoms; a page in a browser simulates at most {1}", count, mostSimulatedHere()),
+        tr("take a part of it, or use the desktop program")};
   Expected<MdStart> whole = readStart(system, *molecule, std::move(start));
   if (!whole) return whole.problem();
   return std::unique_ptr<LiveSimulation>(

@@ -40,7 +40,7 @@ bool fits(std::span<const double> numbers, std::size_t head, std::size_t each) {
 
 std::vector<double> numbersOf(const TimedCommand& timed) {
   const SimulationCommand& c = timed.command;
-  std::vector<double> out{timed.elapsed_s, double(c.running),     c.ps_per_s,        c.temperature_K,
+  std::vector<double> out{timed.elapsed_s,   double(c.running),     c.ps_per_s,        c.temperature_K,
                           double(c.singles), double(c.relaxations), double(c.restarts)};
   for (const AtomPush& p : c.pushes) {
     out.push_back(p.atom);
@@ -76,9 +76,8 @@ std::optional<TimedCommand> commandOf(std::span<const double> numbers) {
 
 std::vector<double> numbersOf(const SimulationFrame& f) {
   const MdEnergies& e = f.energies;
-  std::vector<double> out{double(f.serial),  f.time_ps,  e.potential_kcal_mol, e.kinetic_kcal_mol,
-                          e.temperature_K,   f.ps_per_s, double(f.starts),     double(f.blow_ups),
-                          double(f.dead)};
+  std::vector<double> out{double(f.serial), f.time_ps,        e.potential_kcal_mol, e.kinetic_kcal_mol, e.temperature_K,
+                          f.ps_per_s,       double(f.starts), double(f.blow_ups),   double(f.dead)};
   out.reserve(out.size() + 3 * f.positions_A.size());
   for (const Vec3& v : f.positions_A) add(out, v);
   return out;

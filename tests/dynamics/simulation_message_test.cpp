@@ -5,16 +5,19 @@
 
 using namespace moltact;
 
-TEST_CASE("a command with a push and a grip, a frame of two atoms and a start survive their rows of numbers to the last bit") {
+TEST_CASE(
+    "a command with a push and a grip, a frame of two atoms and a start survive their rows of numbers to the last "
+    "bit") {
   TimedCommand sent;
   sent.elapsed_s = 0.017;
-  sent.command = {.pushes = {{7, Vec3(1.0 / 3.0, -2, 3e-9), Vec3(0, 0.6, -0.8), 12.5}, {4999, Vec3(4, 5, 6), Vec3(0.0), 5}},
-                  .running = false,
-                  .ps_per_s = 0.1,
-                  .temperature_K = 310.15,
-                  .singles = 3,
-                  .relaxations = 4'000'000'000u,
-                  .restarts = 1};
+  sent.command = {
+      .pushes = {{7, Vec3(1.0 / 3.0, -2, 3e-9), Vec3(0, 0.6, -0.8), 12.5}, {4999, Vec3(4, 5, 6), Vec3(0.0), 5}},
+      .running = false,
+      .ps_per_s = 0.1,
+      .temperature_K = 310.15,
+      .singles = 3,
+      .relaxations = 4'000'000'000u,
+      .restarts = 1};
   const auto got = commandOf(numbersOf(sent));
   REQUIRE(got);
   CHECK(got->elapsed_s == sent.elapsed_s);

@@ -59,15 +59,17 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
 TEST_CASE("a simulated molecule of 501 atoms, more than a page simulates, is a warning; one of 500 is none") {
   const auto warned = [](std::size_t atoms) {
     Molecule molecule = mixedMolecule();
-    while (molecule.atoms.size() < atoms) {
-      molecule.atoms.push_back(molecule.atoms.back());
-      molecule.spheres.push_back(molecule.spheres.back());
-    }
+    std::vector<Atom> many(molecule.atoms.begin(), molecule.atoms.end());
+    std::vector<Sphere> spheres(molecule.spheres.begin(), molecule.spheres.end());
+    many.resize(atoms, many.back());
+    spheres.resize(atoms, spheres.back());
+    molecule.atoms = std::move(many);
+    molecule.spheres = std::move(spheres);
     const auto shared = std::make_shared<const Molecule>(std::move(molecule));
-    const std::string step = "## One step\n```scene\nmolecule: mix\nsimulation: mix.xml\n```\nText.\n";
-    return texts(checkLesson("l.md", kHead + step, [&](const NamedMolecule&) -> Expected<decltype(shared)> {
-                   return shared;
-                 }).warnings);
+    const auto large = [&](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> { return shared; };
+    return texts(
+        checkLesson("l.md", kHead + "## One step\n```scene\nmolecule: mix\nsimulation: mix.xml\n```\nText.\n", large)
+            .warnings);
   };
   CHECK(warned(500).empty());
   CHECK(warned(501) ==

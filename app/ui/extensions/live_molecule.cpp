@@ -153,9 +153,9 @@ void LiveMolecule::begin() {
     messages_.error(problem_);
     return;
   }
-  opening_.begin(inBackground(
-      openFile, file, molecule_,
-      options_.clock == ServoClock::Frames ? SimulationPace::Frames : SimulationPace::OwnClock));
+  opening_.begin(
+      inBackground(openFile, file, molecule_,
+                   options_.clock == ServoClock::Frames ? SimulationPace::Frames : SimulationPace::OwnClock));
   if (options_.clock == ServoClock::Frames) take(*opening_.wait());
 }
 
@@ -407,7 +407,8 @@ std::optional<AtomsMoved> LiveMolecule::position() const {
   std::vector<Vec3> by;
   if (smooth_A_.size() <= kMaxRecorded)
     for (std::size_t i = 0; i < smooth_A_.size(); ++i) by.push_back(smooth_A_[i] - molecule_->spheres[i].centre_A);
-  return AtomsMoved{{}, {}, textOfDisplacements(by), frame_.time_ps, engine.name.empty() ? agreed_ : engineText(engine)};
+  return AtomsMoved{
+      {}, {}, textOfDisplacements(by), frame_.time_ps, engine.name.empty() ? agreed_ : engineText(engine)};
 }
 
 // A simulation is not repeated: the recorded displacements are shown. A large molecule, of which none are recorded, stays
