@@ -23,10 +23,14 @@ if [ "${1:-}" = package ]; then
   exit 0
 fi
 [ -x build/release/moltact ] || echo "Building Moltact; the first time this takes a few minutes." >&2
-if [ ! -x build/release/moltact ] && [ -t 2 ]; then
-  build_preset release moltact >&2
-else
-  build_log=$(build_preset release moltact 2>&1) || { printf "%s\n" "$build_log" >&2; exit 1; }
-fi
+targets=moltact
+[ "${1:-}" = bench ] && targets="moltact moltact-bench"
+for target in $targets; do
+  if [ ! -x "build/release/$target" ] && [ -t 2 ]; then
+    build_preset release "$target" >&2
+  else
+    build_log=$(build_preset release "$target" 2>&1) || { printf "%s\n" "$build_log" >&2; exit 1; }
+  fi
+done
 cd "$here"
 exec "$root/build/release/moltact" "$@"

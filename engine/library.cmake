@@ -58,6 +58,7 @@ moltact_public(moltact_molecule molecule
   molecule/elements.h
   molecule/molecule.h
   molecule/molecule_key.h
+  molecule/radius_tables.h
   molecule/reader.h
   molecule/summary.h)
 # What the two are linked with.

@@ -1,7 +1,6 @@
 #include "app/commands/command.h"
 
-#include "app/commands/language_option.h"
-#include "engine/platform/file_guard.h"
+#include "app/commands/program.h"
 
 // One line per command, in the order of `moltact --help`. The function add<Name>(CLI::App&) is in the command's own
 // file.
@@ -37,10 +36,7 @@ void addAllCommands(CLI::App& app) {
 #define MOLTACT_ADD(Name) add##Name(app);
   MOLTACT_COMMANDS(MOLTACT_ADD)
 #undef MOLTACT_ADD
-  for (CLI::App* command : app.get_subcommands({})) {
-    addLanguageOption(*command);
-    command->preparse_callback([](std::size_t) { static const FileGuard inputs_stay; });
-  }
+  for (CLI::App* command : app.get_subcommands({})) completeCommand(*command);
 }
 
 }  // namespace moltact

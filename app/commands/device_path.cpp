@@ -61,14 +61,14 @@ void run(const PathOptions& options) {
 
 }  // namespace
 
-Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
-  if (file.extension() != ".recording") return bench::readHandPath(file);
+Expected<HandPath> openHandPath(const std::filesystem::path& file) {
+  if (file.extension() != ".recording") return readHandPath(file);
   const auto recording = readServoRecording(file);
   if (!recording) return recording.problem();
   if (recording->ticks.empty())
     return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it again")};
   if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
-  auto path = bench::handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
+  auto path = handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
   if (path.places.empty())
     return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it again")};
   return path;

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "engine/bench/hand_path.h"
 #include "engine/core/problem.h"
+#include "engine/servo/hand_path.h"
 
 namespace moltact {
 
@@ -12,6 +12,6 @@ namespace moltact {
 void addDevicePath(CLI::App& device);
 
 /// Reads a hand's path from a recording (.recording) or from a file with rows of numbers.
-Expected<bench::HandPath> openHandPath(const std::filesystem::path& file);
+Expected<HandPath> openHandPath(const std::filesystem::path& file);
 
 }  // namespace moltact

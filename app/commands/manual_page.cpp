@@ -77,7 +77,7 @@ The driver's file libHD.so for an Omni or Touch, if the system does not find it.
 The base folders of the files below.
 .TP
 .B XDG_DATA_DIRS
-Where lessons for everyone on this computer are looked for: in
+The folders in which lessons for all users are searched: in
 .I moltact/lessons
 of each folder; without it of
 .I /usr/local/share
@@ -101,7 +101,7 @@ Lessons from packs that were opened.
 Downloaded entries of the Protein Data Bank.
 .TP
 .I ~/.cache/moltact
-What can be made again.
+Data that the program can create again.
 .TP
 .I /usr/local/share/moltact/lessons
 Lessons for everyone on this computer.

@@ -20,7 +20,7 @@ struct NumberRow {
   std::size_t line = 0;
 };
 
-/// Calls `take` for each row in order. Returns a Problem with line, column and remedy in three cases: the file is not a
+/// Calls `take` for each row in order. Returns a Problem with line, column and remedy in three cases. The file is not a
 /// regular file, exceeds 1 GiB or is malformed; it has another header or no row; `take` returns a Problem. Headers have
 /// the form "x,y,z" and at most 8 columns. `if_larger` is the remedy for a file over 1 GiB.
 std::optional<Problem> readNumberRows(const std::filesystem::path& file, std::span<const std::string_view> headers,

@@ -199,7 +199,7 @@ void render(const RenderArguments& arguments) {
                        atomsOfEither(held, arguments.look.left_out.notFelt(*scene.molecule)));
   scene.look.marks = marksOf(spec, *scene.molecule);
   if (!held.empty()) {
-    scene.body = heldBody(scene.molecule->spheres, held);
+    scene.body = heldBody(*scene.molecule, held);
     if (!scene.body) throw tooManyHeld(held.size());
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);

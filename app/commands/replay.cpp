@@ -158,7 +158,7 @@ InteractionInput inputOf(const ReplayOptions& options) {
     std::shared_ptr<const HeldBody> body;
     if (!options.in_hand.empty()) {
       const std::vector<std::uint32_t> held = selectedAtoms("--in-hand", options.in_hand, molecule);
-      body = heldBody(molecule.spheres, held);
+      body = heldBody(molecule, held);
       if (!body) throw tooManyHeld(held.size());
       not_felt = atomsOfEither(not_felt, held);
     }

@@ -22,9 +22,9 @@ void writeSpheres(const std::string& file, std::span<const Sphere> spheres);
 /// The spheres of the scene that can be felt.
 std::vector<Sphere> touchableSpheres(const SphereGrid& scene);
 
-/// Moves a body along the path. If `out` is not empty, writes one row per tick: pose of the hand, pose of the body,
-/// force and torque of springs with that stiffness, and whether the body is at rest. Returns for each tick whether it
-/// touches.
+/// Moves a body along the path. If `out` is not empty, writes one row per tick. A row has the pose of the hand, the
+/// pose of the body, force and torque of springs with that stiffness, and whether the body is at rest. Returns for each
+/// tick whether it touches.
 std::vector<char> replayBody(const InteractionInput& input, const HipPath& path, double stiffness_N_per_A,
                              const std::string& out);
 

@@ -12,9 +12,7 @@ namespace moltact {
 
 const CLI::Option* addTouchOptions(CLI::App& command, TouchSetup& touch) {
   for (const TouchProperty& p : touchProperties()) {
-    const bool friction =
-        p.member == TouchMember(&TouchSetup::friction) || p.member == TouchMember(&TouchSetup::stick_slip);
-    if (!(p.requires_rebuild || friction) || !isChoice(p)) continue;
+    if (!(p.requires_rebuild || p.of_surface) || !isChoice(p)) continue;
     const std::string name = "--" + std::string(p.key);
     std::string help(p.meaning);
     std::vector<std::string> words;

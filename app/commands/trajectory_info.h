@@ -1,4 +1,4 @@
-// What 'moltact info' says about a trajectory.
+// The output of 'moltact info' for a trajectory.
 #pragma once
 
 #include <string>

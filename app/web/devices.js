@@ -5,7 +5,7 @@ function moltactDevices(stir) {
   "use strict";
   const kOpenLayout = {usagePage: 0xFF00, usage: 1};
   const kFilters = [kOpenLayout, {vendorId: 0x046d, usagePage: 1, usage: 8}, {vendorId: 0x256f, usagePage: 1, usage: 8}];
-  const kMostWaiting = 128, kMostTicks = 100, kPatience_ms = 1000;
+  const kMaxWaiting = 128, kMaxTicks = 100, kPatience_ms = 1000;
   const known = new Map();  // by path: {device, features}
   const ports = new Map();  // by number
   let last_port = 0, last_path = 0;
@@ -33,7 +33,7 @@ function moltactDevices(stir) {
         for (const port of ports.values()) {
           if (port.device !== device) continue;
           port.queue.push(report);
-          if (port.queue.length > kMostWaiting) port.queue.shift();
+          if (port.queue.length > kMaxWaiting) port.queue.shift();
         }
         stir();
       });
@@ -114,7 +114,7 @@ function moltactDevices(stir) {
 
     // Called before the ticks of a frame of this duration: distributes the received reports over them.
     deal(dt_s) {
-      const ticks = Math.max(1, Math.min(kMostTicks, Math.round(1000 * dt_s)));
+      const ticks = Math.max(1, Math.min(kMaxTicks, Math.round(1000 * dt_s)));
       for (const port of ports.values()) {
         port.share = port.queue.length / ticks;
         port.credit = 0.5;  // round instead of truncating

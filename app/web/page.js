@@ -157,13 +157,13 @@
 
   // ---- words: messages for screen readers, and the text on the screen ---------------------------------------------------
 
-  const kMostNews = 60;
+  const kMaxNews = 60;
   function news(line) {
     const p = document.createElement("p");
     p.textContent = line;
     const log = byId("news");
     log.append(p);
-    while (log.childElementCount > kMostNews) log.firstElementChild.remove();
+    while (log.childElementCount > kMaxNews) log.firstElementChild.remove();
   }
 
   // The buttons in the text are not <button> elements, because their words could not be selected.

@@ -1,6 +1,6 @@
-// Tick times with cold caches, as in real use: ticks in contact at 1 kHz with sleep between, as on the haptic thread,
-// and ticks after other work has filled the caches. Single ticks are timed; the methods alternate. Runs on the calling
-// thread. Units: nanosecond.
+// Tick times with cold caches, as in real use. Measures ticks in contact at 1 kHz with sleep between, as on the haptic
+// thread, and ticks after other work has filled the caches. Single ticks are timed; the methods alternate. Runs on the
+// calling thread. Units: nanosecond.
 #pragma once
 
 #include <memory>

@@ -79,7 +79,7 @@ class FailureMatrix {
       for (const auto& c : criteria_)
         if (const auto found = failing.find(c.letter); found != failing.end())
           out += std::string(" It ") + c.fails + " in " +
-                 (found->second.size() == scenes_.size() ? "all of them." : listed(found->second) + ".");
+                 (found->second.size() == scenes_.size() ? "all of them." : listedApart(found->second) + ".");
       out += '\n';
     }
     return out;

@@ -1,5 +1,6 @@
-// Changes that a fingertip can notice, corresponding to the paper's Figure 1: the rotation and change of the force from
-// tick to tick while the HIP slides over one sphere, along a crease and around a pit, 0.6 A deep, 0.02 A per tick.
+// Changes that a fingertip can notice, corresponding to the paper's Figure 1. Measures the rotation and change of the
+// force from tick to tick while the HIP slides over one sphere, along a crease and around a pit. The HIP is 0.6 A deep
+// and moves 0.02 A per tick.
 #pragma once
 
 #include <string>

@@ -135,25 +135,25 @@ std::string feltSentences(const std::vector<FeltErrors>& rows) {
     }
     std::string out = std::string("* ") + what + ": ";
     out += no.empty() ? "no method is below the threshold throughout" : "cannot be felt with " + listed(no);
-    if (!at_times.empty()) out += "; sometimes with " + listed(at_times);
-    if (!yes.empty()) out += "; often with " + listed(yes);
+    if (!at_times.empty()) out += ". It is sometimes felt with " + listed(at_times);
+    if (!yes.empty()) out += ". It is often felt with " + listed(yes);
     return out + ".\n";
   };
   return sorted(
              "A wrong direction, in the dark", [](const FeltErrors& f) { return f.direction_blind; }, kNeverFraction,
-             kOftenFraction, " % of ticks", 100) +
+             kOftenFraction, " %", 100) +
          sorted(
              "A wrong direction, with a picture", [](const FeltErrors& f) { return f.direction_seen; }, kNeverFraction,
-             kOftenFraction, " % of ticks", 100) +
+             kOftenFraction, " %", 100) +
          sorted(
              "A wrong size, by 10 %", [](const FeltErrors& f) { return f.size_wide; }, kNeverFraction, kOftenFraction,
-             " % of ticks", 100) +
+             " %", 100) +
          sorted(
-             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " per second",
-             1) +
-         "\n*Cannot* means in at most " + constant(100 * kNeverFraction) + " % of ticks, or at most " +
-         constant(kNeverSteps_per_s) + " times per second. *Often* means in more than " +
-         constant(100 * kOftenFraction) + " % of ticks, or more than once per second.\n";
+             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, "/s", 1) +
+         "\nThe figures are percent of ticks, or steps per second. *Cannot* means in at most " +
+         constant(100 * kNeverFraction) + " % of ticks, or at most " + constant(kNeverSteps_per_s) +
+         " times per second. *Often* means in more than " + constant(100 * kOftenFraction) +
+         " % of ticks, or more than once per second.\n";
 }
 
 }  // namespace moltact::bench

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/bench/felt.h"
-#include "engine/bench/hand_path.h"
+#include "engine/servo/hand_path.h"
 #include "engine/bench/timing.h"
 
 namespace moltact::bench {

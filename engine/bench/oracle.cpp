@@ -253,7 +253,7 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
   for (std::size_t c = 0; c < flows_; ++c) {
     const Flow& e = ends[c];
     spread = std::max(spread, length(e.s - ends[0].s));
-    answer.decided = answer.decided && e.settled && e.arrived == ends[0].arrived;
+    answer.decided = answer.decided && e.converged && e.arrived == ends[0].arrived;
   }
   // The arithmetic error is below 1e-4 of the perturbation, and grows like the spread of the copies.
   answer.decided = answer.decided && spread < 1000 * Real(kPerturbation_A);

@@ -50,8 +50,8 @@ class Oracle {
  private:
   struct Flow {
     PointL s;
-    bool arrived = true;  // at the HIP: no contact
-    bool settled = true;  // false: the limit of iterations was reached
+    bool arrived = true;    // at the HIP: no contact
+    bool converged = true;  // false: the limit of iterations was reached
   };
   Flow flow(PointL s, PointL hip) const;
 
@@ -66,8 +66,9 @@ class Oracle {
 /// The largest penetration of p into any sphere, in long double; negative outside; -infinity without spheres.
 double deepest(const std::vector<Sphere>& spheres, double probe_A, Vec3 p);
 
-/// True if scp is at rest for that HIP: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the spheres whose
-/// surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k are outward unit normals).
+/// True if scp is at rest for that HIP: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 (the
+/// Karush-Kuhn-Tucker condition). The sum is over the spheres whose surface is within tolerance_A of scp; n_k are
+/// outward unit normals.
 bool atRest(const std::vector<Sphere>& spheres, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
 
 }  // namespace moltact::oracle

@@ -60,6 +60,13 @@ std::string listed(const std::vector<std::string>& names) {
   return out;
 }
 
+std::string listedApart(const std::vector<std::string>& names) {
+  if (names.empty()) return "none";
+  std::string out = names.front();
+  for (std::size_t k = 1; k < names.size(); ++k) out += "; " + names[k];
+  return out;
+}
+
 std::string toConsole(const ReportTable& table) {
   std::vector<std::size_t> widths;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {

@@ -31,6 +31,8 @@ std::string constant(double value);
 
 /// Joins names: "a, b and c"; "none" for an empty list.
 std::string listed(const std::vector<std::string>& names);
+/// Joins names that consist of several words: "a; b; c"; "none" for an empty list.
+std::string listedApart(const std::vector<std::string>& names);
 
 std::string toConsole(const ReportTable& table);
 std::string toMarkdown(const ReportTable& table);

@@ -153,8 +153,8 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
        {"energy_J", "most energy (J)"},
        {"unsound", "runs with an event (%)"}},
       {},
-      "Shares are of ticks in contact. \"off\" is the mean over scenes with the 95 % interval over draws; "
-      "contact lost and held on nothing are subsets of it, and sunk also counts ticks without a known reference. "
+      "Shares are of ticks in contact. \"off\" is the mean over scenes with the 95 % interval over draws. "
+      "Contact lost and held on nothing are subsets of it. Sunk also counts ticks without a known reference. "
       "Tunnelled and jumps: per 10 000 ticks of contact. A run is one scene in one draw; events are those of the table "
       "above."};
   const auto cells = stabilityCells(results, limits);

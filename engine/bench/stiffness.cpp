@@ -290,7 +290,7 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
       "and the search's step of 3 %: " +
       (above.empty() ? "none of " + readable(double(compared)) : listed(above) + ", which this page does not explain") +
       ". Larger medians in the table are within that uncertainty.\n";
-  out += "* Never at rest: " + listed(never) + ".";
+  out += "* Never at rest: " + listedApart(never) + ".";
   return out + '\n';
 }
 

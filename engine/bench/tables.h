@@ -1,5 +1,5 @@
-// The paper's Tables 1 and 2, measured again: tick times of every method in free space and in contact, on scenes of the
-// paper's sizes and larger, the preparation time and memory. The paper's own figures are listed for comparison. Its
+// The paper's Tables 1 and 2, measured again: tick times of every method in free space and in contact, preparation time
+// and memory. The scenes have the paper's sizes and larger ones. The paper's own figures are listed for comparison. Its
 // column heads state Hz, but the figures are seconds per haptic frame.
 #pragma once
 

@@ -33,12 +33,12 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
   std::sort(by_error.begin(), by_error.end(),
             [](const TradeOff& a, const TradeOff& b) { return a.accuracy.scp_A.rms < b.accuracy.scp_A.rms; });
   for (std::size_t k = 0; k < by_error.size(); ++k)
-    out += (k ? ", " : " ") + quotedName(by_error[k].method) + " " + readable(by_error[k].accuracy.scp_A.rms) +
+    out += (k ? "; " : " ") + quotedName(by_error[k].method) + " " + readable(by_error[k].accuracy.scp_A.rms) +
            " A and " + readable(by_error[k].accuracy.direction_deg.rms) + " degrees";
   out += ".\n* Time of a tick in contact, relative to `exact`'s " + readable(exact->tick_ns) + " ns:";
   for (std::size_t k = 0; k < others.size(); ++k)
     out +=
-        (k ? ", " : " ") + quotedName(others[k].method) + " " + readable(others[k].tick_ns / exact->tick_ns) + " times";
+        (k ? "; " : " ") + quotedName(others[k].method) + " " + readable(others[k].tick_ns / exact->tick_ns) + " times";
   std::vector<std::string> faster;
   for (const TradeOff& p : others)
     if (p.tick_ns < exact->tick_ns)
@@ -47,7 +47,7 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
   out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, relative to `exact`'s " +
          bytes(exact->memory_usage.bytes) + ":";
   for (std::size_t k = 0; k < others.size(); ++k)
-    out += (k ? ", " : " ") + quotedName(others[k].method) + " " +
+    out += (k ? "; " : " ") + quotedName(others[k].method) + " " +
            readable(double(others[k].memory_usage.bytes) / double(exact->memory_usage.bytes)) + " times";
   return out + ".\n";
 }

@@ -5,8 +5,8 @@
 // The probe stays under the pointer as far as the surface permits. The HIP lies on the line of sight through the
 // pointer, under the surface while the button is held. If the pointer is fast, a pressed probe follows over the surface
 // at kMaxSpeed_A_per_s and does not pass through obstacles. After a release the hand is lifted before any other motion,
-// so that no release causes an impact. While the pointer is on a control over the view, a hovering hand returns to where
-// the pointer last stood still over a surface, so that it does not wait behind the control.
+// so that no release causes an impact. While the pointer is on a control over the view, a hovering hand returns to
+// where the pointer last stood still over a surface. It therefore does not stay behind the control.
 //
 // The resistance is visible instead of felt: pressing slows down as the force rises, and so does a probe moved by the
 // arrow keys. A held press comes to rest at the depth where the spring gives kRest_N. Each notch changes this force by

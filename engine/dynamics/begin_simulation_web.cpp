@@ -68,7 +68,7 @@ class WorkerSimulation final : public LiveSimulation {
     if (frame_.lost) return;
     if (!asked_) {
       if (opening()) return;
-      wanted_.elapsed_s = std::min(owed_s_ + dt_s, SimulationSlices::kLongest_s);
+      wanted_.elapsed_s = std::min(owed_s_ + dt_s, SimulationSlices::kMaxElapsed_s);
       const std::vector<double> numbers = numbersOf(wanted_);
       askSimulation(number_, numbers.data(), int(numbers.size()));
       asked_ = true;

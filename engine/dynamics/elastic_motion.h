@@ -1,7 +1,7 @@
-// The motion of an elastic network under forces: each spring has a dashpot beside it (Kelvin-Voigt), so that all modes
+// The motion of an elastic network under forces. Each spring has a dashpot beside it (Kelvin-Voigt), so that all modes
 // relax in the same time tau: tau gamma H dx/dt = F - gamma H (x - x0). The steps are implicit (Euler); they are stable
-// at every size and never gain energy: E(next) - E(now) <= F . (x(next) - x(now)). Rigid motions are left out, as if the
-// molecule were held in place. One thread at a time. Units: angstrom, kcal/mol, second.
+// at every size and never gain energy: E(next) - E(now) <= F . (x(next) - x(now)). Rigid motions are left out, as if
+// the molecule were held in place. One thread at a time. Units: angstrom, kcal/mol, second.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,9 @@ struct NodeForce {
   Vec3 force_kcal_mol_A{0.0};
 };
 
-/// The relaxation time at which a spring in the hand, whose force arrives up to three steps late, cannot make the molecule
-/// oscillate: in one step the spring moves a node by at most a quarter of the
-/// spring's stretch. `compliance_A2_mol_kcal` is that of
-/// the pushed node along its softest direction.
+/// The relaxation time at which a spring in the hand, whose force arrives up to three steps late, cannot make the
+/// molecule oscillate. In one step the spring moves a node by at most a quarter of the spring's stretch.
+/// `compliance_A2_mol_kcal` is that of the pushed node along its softest direction.
 double relaxationFor(double hand_kcal_mol_A2, double compliance_A2_mol_kcal, double step_s);
 
 class ElasticMotion {

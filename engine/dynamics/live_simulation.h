@@ -15,7 +15,7 @@ namespace moltact {
 /// A spring that pushes an atom, now at `at_A`, with this force (unit: kcal/mol/A), which must not be zero.
 AtomPush pushOf(std::uint32_t atom, const Vec3& at_A, const Vec3& force_kcal_mol_A, double stiffness_kcal_mol_A2);
 
-/// What the window wants. The newest command replaces the earlier ones; the counters never decrease, so that a request is
+/// The window's requests. The newest command replaces the earlier ones; the counters never decrease, so that a request is
 /// carried out once even if commands are skipped.
 struct SimulationCommand {
   std::vector<AtomPush> pushes;
@@ -75,9 +75,9 @@ class SimulationRun {
   explicit SimulationRun(std::unique_ptr<MdEngine> engine) : engine_(std::move(engine)) {}
 
   const MdEngine& engine() const { return *engine_; }
-  /// Carries out the command for `elapsed_s` of the window's time, with at most this number of steps; what is missing is
-  /// left out, so that a slow engine slows the simulated time down. An unstable run starts again and stands still until
-  /// the next restart or relaxation is asked for. The reference is valid until the next call.
+  /// Carries out the command for `elapsed_s` of the window's time, with at most this number of steps. The rest is left
+  /// out, so a slow engine slows the simulated time down. An unstable run starts again and stands still until the next
+  /// restart or relaxation is asked for. The reference is valid until the next call.
   const SimulationFrame& advance(const SimulationCommand& wanted, double elapsed_s, int max_steps);
 
   /// A run is unstable beyond this temperature above the bath's, or if an atom is farther than this from the origin.

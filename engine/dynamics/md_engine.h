@@ -87,7 +87,7 @@ class MdEngine {
   virtual MdEnergies energies() = 0;
 };
 
-/// What the module exports as kMakeMdEngine. Null: `why` says why not.
+/// What the module exports as kMakeMdEngine. Null: `why` states the reason.
 using MakeMdEngine = MdEngine* (*)(const MdStart& start, std::string& why);
 inline constexpr const char* kMakeMdEngine = "moltactMakeMdEngine";
 

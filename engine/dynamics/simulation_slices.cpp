@@ -8,8 +8,8 @@ namespace moltact {
 const SimulationFrame& SimulationSlices::advance(const SimulationCommand& wanted, double elapsed_s) {
   using Clock = std::chrono::steady_clock;
   const auto begun = Clock::now();
-  elapsed_s = std::clamp(elapsed_s, 0.0, kLongest_s);
-  const int most = std::max(1, int(steps_per_s_ * std::max(kMost_s, elapsed_s)));
+  elapsed_s = std::clamp(elapsed_s, 0.0, kMaxElapsed_s);
+  const int most = std::max(1, int(steps_per_s_ * std::max(kMaxStep_s, elapsed_s)));
   const SimulationFrame& frame = run_.advance(wanted, elapsed_s, most);
   const double took_s = std::chrono::duration<double>(Clock::now() - begun).count();
   const double steps = frame.ps_per_s * elapsed_s / run_.engine().step_ps();

@@ -13,11 +13,11 @@ class SimulationSlices {
   explicit SimulationSlices(std::unique_ptr<MdEngine> engine) : run_(std::move(engine)) {}
 
   const MdEngine& engine() const { return run_.engine(); }
-  /// Carries out the command for `elapsed_s` of the window's time, at most kLongest_s of it. The computation takes about
-  /// kMost_s at most, or `elapsed_s` if that is longer. The reference is valid until the next call.
+  /// Carries out the command for `elapsed_s` of the window's time, at most kMaxElapsed_s of it. The computation takes about
+  /// kMaxStep_s at most, or `elapsed_s` if that is longer. The reference is valid until the next call.
   const SimulationFrame& advance(const SimulationCommand& wanted, double elapsed_s);
 
-  static constexpr double kMost_s = 0.02, kLongest_s = 0.1;
+  static constexpr double kMaxStep_s = 0.02, kMaxElapsed_s = 0.1;
 
  private:
   SimulationRun run_;

@@ -1,9 +1,8 @@
 // The surface of the union of spheres as closed triangles, for 3D printing and slides. Pure functions. Units: angstrom.
 //
-// Method: a grid of cubes, each divided into six tetrahedra in the same way, so that neighbours share their edges and
-// every edge of the result belongs to exactly two triangles. The surface is closed. Vertices lie within step^2 / (2 r)
-// of the surface of a sphere of radius r; creases are cut off by at most one step. Internal voids give separate
-// surfaces.
+// Method: a grid of cubes, each divided into six tetrahedra in the same way. Neighbours share their edges, so every
+// edge of the result belongs to exactly two triangles. The surface is closed. Vertices lie within step^2 / (2 r) of the
+// surface of a sphere of radius r; creases are cut off by at most one step. Internal voids give separate surfaces.
 #pragma once
 
 #include <cstdint>

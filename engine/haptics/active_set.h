@@ -2,7 +2,7 @@
 // allocation. Units: angstrom.
 //
 // The displacement is d = h - s, from the SCP s to the HIP h. The direction of steepest descent of |x - h|^2 that
-// enters no touched sphere is the projection v of d on the cone {v : v.n_k >= 0}, where n_k are the outward normals. By
+// enters no touched sphere is the projection v of d on the cone {v : v.n_k >= 0}. The n_k are the outward normals. By
 // Caratheodory's theorem at most three normals are active in space. docs/exact-tracker.md derives the bounds on
 // rounding used here.
 #pragma once

@@ -9,7 +9,7 @@ namespace {
 
 // How often a call asks the interaction inside. A slip moves the contact, which turns its normal and changes its normal
 // force; the drag follows by iteration. What a body leaves over follows in the next tick.
-constexpr int kMostAsked = 24, kMostAskedOfBody = 4;
+constexpr int kMaxAsked = 24, kMaxAskedOfBody = 4;
 constexpr double kShareRounding = 1e-10;  // of the load at which a slip ends, and of an energy
 constexpr double kRounding_A = 1e-9;
 // A pull that the contact's normals do not explain to this share is that of a method that shades or sums springs.
@@ -175,7 +175,7 @@ Response FrictionLayer::respond(const PoseA& pose) noexcept {
   Lag lag = lagBehind(pose);
   double now = load(lag), most = 1.0 + friction_.stick_slip;
   const double stayed_A2 = answer(pose).contact.energy_A2;
-  for (int k = 0; k < (body_ ? kMostAskedOfBody : kMostAsked); ++k) {
+  for (int k = 0; k < (body_ ? kMaxAskedOfBody : kMaxAsked); ++k) {
     const bool slips = now > most * (1.0 + kShareRounding);
     if (k > 0 && !slips) break;
     if (slips) {

@@ -7,7 +7,7 @@
 // A contact sticks until the spring drags it with more than the coefficient times its normal force; then it slips
 // towards the hand until the ratio is that of sliding. A slip lowers the energy of the spring, whatever its path, and a
 // contact that sticks stores and returns it, so friction only takes energy from the hand (docs/friction.md). The place
-// where a contact sticks moves with the atoms that it touches. A body sticks with its orientation too.
+// where a contact sticks moves with the atoms that it touches. A body sticks in its orientation too.
 //
 // No state depends on the number of calls. Haptic thread; no allocation after construction. Units: angstrom, radian.
 #pragma once
@@ -36,7 +36,7 @@ class FrictionLayer final : public WrappedInteraction {
                 std::shared_ptr<const HeldBody> body, std::shared_ptr<const Roughness> roughness,
                 const Friction& friction);
 
-  /// With coefficient 0: the answer of the interaction inside.
+  /// With coefficient 0: the response of the inner interaction.
   Response respond(const PoseA& pose) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
@@ -78,8 +78,8 @@ class FrictionLayer final : public WrappedInteraction {
   double fraction_ = 0.0;
 
   bool touching_ = false, slipped_ = false, surface_moved_ = false;
-  PoseA held_;             // with which the interaction inside was asked last
-  Response inner_answer_;  // its answer
+  PoseA held_;             // the last pose of the inner interaction
+  Response inner_answer_;  // its response to that
   double share_ = 1.0;     // of the spring's force that is felt; below 1 after a slip that lengthened the spring
   double grip_A_ = 0.0, grip_turn_A2_ = 0.0;  // as in Lag, for a hand at held_
   // The atoms touched there, with their shares of the normal force and their centres.

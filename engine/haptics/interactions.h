@@ -45,10 +45,10 @@ struct InteractionKind {
   std::string_view former_name = {};  ///< in files of earlier versions; empty: the same
 };
 
-/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction. It
-/// is a decorator (`WrappedInteraction`) of the response. A change of the contact's force thus acts on the springs of a
-/// body as on that of a probe, and no method, nor the search for a body's rest, depends on it. A decorator that changes
-/// the contact changes `displacement_A`, `torque_A2` and `energy_A2` together, so that no energy is created.
+/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction. It is a
+/// decorator (`WrappedInteraction`) of the response. A change of the contact's force thus acts on the springs of a body
+/// as on that of a probe. No method depends on it, nor does the search for a body's rest. A decorator that changes the
+/// contact changes `displacement_A`, `torque_A2` and `energy_A2` together, so that no energy is created.
 struct InteractionLayer {
   std::string_view name;            ///< "forces"
   bool (*acts)(const TouchSetup&);  ///< whether the setup selects it; otherwise `wrap` is not called

@@ -36,7 +36,7 @@ struct Method {
   bool summed = false;            ///< the force is the sum of all spheres' pushes; there is no SCP on the surface
   bool follows_motion = false;    ///< follows moving spheres (Interaction::setMotion)
   bool reference = false;         ///< the method against which all others are measured; exactly one
-  /// A name under which files of earlier versions know the method; empty: none.
+  /// The name of the method in files of earlier versions; empty: none.
   std::string_view former_name = {};
 };
 

@@ -16,7 +16,7 @@
 
 namespace moltact {
 
-/// A sphere as the tracker sees it now.
+/// A sphere near the tracker, at its present position.
 struct NearSphere {
   Vec3 centre;
   double radius;       ///< inflated by the probe

@@ -101,6 +101,7 @@ constexpr std::array kProperties{
                   .key = "friction",
                   .field = "friction",
                   .requires_rebuild = false,
+                  .of_surface = true,
                   .in_scenes = {0.0, kMaxFriction},
                   .in_files = {0.0, kMaxFriction},
                   .control = {.title = N_("Friction"),
@@ -117,6 +118,7 @@ constexpr std::array kProperties{
                   .key = "stick-slip",
                   .field = "stick_slip",
                   .requires_rebuild = false,
+                  .of_surface = true,
                   .in_scenes = {0.0, 1.0},
                   .in_files = {0.0, 1.0},
                   .control = {.title = N_("Stick and slip"),
@@ -158,28 +160,28 @@ constexpr std::array kProperties{
                   .control = {.title = N_("Force on"), .tip = N_("Off: contact is followed, but no force is given.")},
                   .fallback = "on",
                   .meaning = "Whether the hand feels the force."},
-    TouchProperty{.member = &TouchSetup::interaction,
-                  .key = "hand",
-                  .field = "interaction",
-                  .label = "interaction",
-                  .words = &interactionWords,
-                  .control = {.title = N_("In the hand")},
-                  .fallback = "probe",
-                  .meaning =
-                      "How what is in the hand feels the molecule. 'probe' is a sphere. With 'in-hand' the fallback is "
-                      "'exact-body': one spring pulls the whole body, which is rigid and overlaps no atom. With "
-                      "'springs' each atom of the body has a spring of its own, and the body can overlap atoms."},
     TouchProperty{
-        .member = &TouchSetup::charges,
-        .key = "charges",
-        .field = "charges",
-        .label = "charges",
-        .words = &chargeWords,
-        .fallback = "none",
-        .meaning =
-            "The source of the atoms' charges: 'file' from a PQR, MOL2 or PDBQT file, 'formal' from the residues at "
-            "pH 7. Interactions with electrostatic forces use them; contact does not. With 'forces', 'none' means the "
-            "file's charges or else AMBER's; 'formal' leaves whole charges only, and no hydrogen bonds."},
+        .member = &TouchSetup::interaction,
+        .key = "hand",
+        .field = "interaction",
+        .label = "interaction",
+        .words = &interactionWords,
+        .control = {.title = N_("In the hand")},
+        .fallback = "probe",
+        .meaning = "How what is in the hand feels the molecule: 'probe' is a sphere; 'exact-body', the fallback with "
+                   "'in-hand', is a rigid body on one spring that overlaps no atom. With 'springs' each atom of the "
+                   "body has a spring of its own, and the body can overlap atoms."},
+    TouchProperty{.member = &TouchSetup::charges,
+                  .key = "charges",
+                  .field = "charges",
+                  .label = "charges",
+                  .words = &chargeWords,
+                  .fallback = "none",
+                  .meaning =
+                      "The source of the atoms' charges, for interactions with electrostatic forces: 'file' from the "
+                      "molecule's file, 'formal' from the residues at pH 7. With 'forces', 'none' means the file's "
+                      "charges or else "
+                      "AMBER's; 'formal' leaves whole charges only, and no hydrogen bonds."},
     TouchProperty{.member = &TouchSetup::forces,
                   .key = "forces",
                   .field = "forces",

@@ -44,8 +44,8 @@ struct TouchSetup {
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };
 
-/// The member of a property. A text takes one of the words that TouchProperty::words returns; panel, keys and options
-/// offer exactly these; the panel, of the interactions, only those that fit what the hand holds (resolveInteraction).
+/// The member of a property. A text takes one of the words that TouchProperty::words returns; keys and options offer
+/// exactly these. The panel offers only those interactions that fit what the hand holds (resolveInteraction).
 using TouchMember = std::variant<double TouchSetup::*, bool TouchSetup::*, std::string TouchSetup::*>;
 /// A property's value, of the member's type.
 using TouchValue = std::variant<double, bool, std::string>;
@@ -78,6 +78,8 @@ struct TouchProperty {
   /// applies the value while running; then ServoSettings::take and giveTo transfer it, and each tick of a recording
   /// stores it (without a label).
   bool requires_rebuild = true;
+  /// True for a property of SurfaceProperties: commands have an option for it although it needs no rebuild.
+  bool of_surface = false;
   Dimension dimension = Dimension::None;          ///< of a number
   TouchRange in_scenes = {}, in_files = {};       ///< of a number: range in lessons; range in attempts and labels
   std::vector<OfferedWord> (*words)() = nullptr;  ///< of a text (required): its possible words

@@ -87,8 +87,8 @@ std::optional<Problem> setLanguage(std::string_view code, const std::filesystem:
 /// The code of the language in use.
 std::string language();
 
-/// The languages requested by the environment, in order of preference, by gettext's rules: $LANGUAGE ("de:fr"), which
-/// counts only if a locale is set, then the first nonempty of $LC_ALL, $LC_MESSAGES and $LANG ("de_AT.UTF-8" is "de").
+/// The languages requested by the environment, in order of preference, by gettext's rules. $LANGUAGE ("de:fr") counts
+/// only if a locale is set. Next comes the first nonempty of $LC_ALL, $LC_MESSAGES and $LANG ("de_AT.UTF-8" is "de").
 /// "C" and "POSIX" mean "en". If none is set, the locale `otherwise` ("de-DE") is used.
 std::vector<std::string> systemLanguages(const std::string& otherwise = {});
 

@@ -38,8 +38,8 @@ std::string quantityIn(double value, std::string_view symbol, Digits digits);
 /// Formats an energy between atoms or in their springs: "-26.2 kcal/mol". It keeps this unit, that of its literature,
 /// whatever unit the user chose for other quantities.
 std::string energyBetweenAtoms(double energy_kcal_mol, Digits digits);
-/// The shown unit of the dimension of `symbol`. Null where `symbol` is kept: a unit that is unknown or never shown as a
-/// choice (pN), and energies, which tasks give between atoms and in the unit of their literature (kcal/mol).
+/// The shown unit of the dimension of `symbol`. Null where `symbol` is kept. These are units that are unknown or never
+/// shown as a choice (pN), and energies, which tasks give between atoms and in the unit of their literature (kcal/mol).
 const Unit* shownInstead(std::string_view symbol);
 
 /// The same without the unit, for a table or axis that states it once.

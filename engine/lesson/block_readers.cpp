@@ -12,6 +12,7 @@
 #include "engine/lesson/reading.h"
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/scene_link.h"
+#include "engine/lesson/scene_movers.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
@@ -127,14 +128,9 @@ void takeScan(Reading& reading, const KeyValues& values, bool takes, SceneSpec& 
     if (values["scan"].place.line) scene.places.scan = values["scan"].place;
   }
   if (!(scene.scan_A > 0.0)) return;
-  const std::pair<const char*, bool> movers[] = {{"then", !scene.then.molecule.empty()},
-                                                 {"elastic", scene.elastic},
-                                                 {"simulation", !scene.simulation.empty()},
-                                                 {"trajectory", !scene.trajectory.file.empty()}};
-  for (const auto& [key, on] : movers)
-    if (on)
-      reading.error(scene.places.scan, trf("a tip scans atoms at rest, and '{0}' moves them", key),
-                    trf("write 'scan: 0 Å', or leave out '{0}'", key));
+  for (const MoverKey* mover : moversOf(scene))
+    reading.error(scene.places.scan, trf("a tip scans atoms at rest, and '{0}' moves them", mover->key),
+                  trf("write 'scan: 0 Å', or leave out '{0}'", mover->key));
   if (scene.in_hand.given())
     reading.error(scene.places.scan, tr("a scanned surface is touched with a point, and the hand holds a body"),
                   tr("write 'scan: 0 Å', or leave out 'in-hand'"));
@@ -181,30 +177,20 @@ void takeTrajectory(Reading& reading, const KeyValues& values, const Takes& take
 
 // Whatever moves the atoms excludes all else that does, and forces, which act between atoms at rest.
 void checkMovers(Reading& reading, const KeyValues& values, const SceneSpec& scene) {
-  struct Mover {
-    const char* key;
-    bool on;
-    Place place;
-    const char* without;
-  };
-  const Mover movers[] = {
-      {"then", !scene.then.molecule.empty(), scene.places.then, N_("leave out 'then'")},
-      {"elastic", scene.elastic, values["elastic"].place, N_("write 'elastic: off'")},
-      {"simulation", !scene.simulation.empty(), scene.places.simulation, N_("write 'simulation: none'")},
-      {"trajectory", !scene.trajectory.file.empty(), scene.places.trajectory, N_("write 'trajectory: none'")}};
   const auto later = [](const Place& a, const Place& b) { return a.line > b.line ? a : b; };
-  const Mover* first = nullptr;
-  for (const Mover& mover : movers) {
-    if (!mover.on) continue;
+  const MoverKey* first = nullptr;
+  for (const MoverKey* mover : moversOf(scene)) {
+    const Place& place = scene.places.*mover->place;
     if (first)
-      reading.error(later(first->place, mover.place), trf("'{0}' and '{1}' both move the atoms", first->key, mover.key),
-                    trf("{0}, or {1}", tr(first->without), tr(mover.without)));
+      reading.error(later(scene.places.*first->place, place),
+                    trf("'{0}' and '{1}' both move the atoms", first->key, mover->key),
+                    trf("{0}, or {1}", tr(first->without), tr(mover->without)));
     else
-      first = &mover;
+      first = mover;
     if (forceChoice(scene.touch.forces).any())
-      reading.error(later(mover.place, values["forces"].place),
-                    trf("forces act between atoms that rest, and '{0}' moves them", mover.key),
-                    trf("write 'forces: none', or {0}", tr(mover.without)));
+      reading.error(later(place, values["forces"].place),
+                    trf("forces act between atoms that rest, and '{0}' moves them", mover->key),
+                    trf("write 'forces: none', or {0}", tr(mover->without)));
   }
 }
 
@@ -368,7 +354,10 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("cut")) scene.cut = values["cut"].words.empty() || values["cut"].words[0] != "none";
   takeAtoms("cut", scene.cut_at, scene.places.cut);
   takeSecondState(reading, values, takes("state"), lesson, scene);
-  if (takes("elastic")) scene.elastic = values["elastic"].words[0] == "on";
+  if (takes("elastic")) {
+    scene.elastic = values["elastic"].words[0] == "on";
+    scene.places.elastic = values["elastic"].place;
+  }
   takeSimulation(reading, values, takes("simulation"), scene);
   takeTrajectory(reading, values, takes, scene);
   checkMovers(reading, values, scene);

@@ -18,6 +18,8 @@
 #include "engine/lesson/scene_link.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/molecule/reader.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact::checks {
 namespace {
@@ -100,7 +102,7 @@ class Check {
   /// What the hand holds, in every structure of the scene.
   void body(const TaskKind& kind, const TaskSpec& task, const SceneSpec& scene, const Molecule& molecule,
             std::vector<Problem>& problems) {
-    const std::shared_ptr<const HeldBody> held = heldBody(molecule.spheres, heldAtoms(scene, molecule));
+    const std::shared_ptr<const HeldBody> held = heldBody(molecule, heldAtoms(scene, molecule));
     if (!held || findings_.enough()) return;
     const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, molecule);
     std::vector<SphereGrid> grids;
@@ -118,7 +120,7 @@ class Check {
     const auto& molecule = lookUp(scene.molecule);
     if (!molecule || findings_.enough()) return;
     if (const auto felt = sceneForces(scene, *molecule, untouchableAtoms(scene, **molecule),
-                                      heldBody((*molecule)->spheres, heldAtoms(scene, **molecule))))
+                                      heldBody(**molecule, heldAtoms(scene, **molecule))))
       kind.check_forces(task, *felt, problems);
   }
 
@@ -166,8 +168,9 @@ class Check {
                            "charged side chains and phosphates act, not ligands, ions and hydrogen bonds"),
                         tr("take the line out, unless that is what students are to feel"));
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
-    findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
-                    tr("write 'charges: formal', or give the molecule as a PQR, MOL2 or PDBQT file"));
+    findings_.error(
+        scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
+        trf("write 'charges: formal', or give the molecule as a file with charges ({0})", chargedEndingsText()));
   }
 
   /// A molecule in the front matter's list, with the reading options of the first scene that uses it, so that it is not

@@ -1,5 +1,5 @@
 // The words that lessons explain. They are a list of words with their meanings, below the heading "## Glossary" of a
-// lesson, or in the file "glossary.md" (in German "glossary.de.md"), which all lessons of its folder share.
+// lesson. A file "glossary.md" (in German "glossary.de.md") is shared by all lessons of its folder.
 //
 //   - **active site**, active sites: The pocket of an enzyme in which …
 //

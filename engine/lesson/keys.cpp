@@ -7,6 +7,7 @@
 #include "engine/lesson/facts.h"
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/touch_keys.h"
+#include "engine/lesson/scene_movers.h"
 #include "engine/molecule/view_part.h"
 #include "engine/structure/colouring.h"
 
@@ -17,7 +18,10 @@ namespace {
 std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
-  out.insert(out.end(), {"show", "magnify", "elastic", "simulation", "trajectory", "all"});
+  out.insert(out.end(), {"show", "magnify"});
+  for (const MoverKey& mover : moverKeys())
+    if (mover.lockable) out.push_back(mover.key);
+  out.push_back("all");
   return out;
 }
 
@@ -155,9 +159,9 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "style",
        .type = ValueType::Styles,
        .meaning =
-           "How the atoms are drawn: spheres are what is felt, a surface is that of the scene's probe; several can be "
-           "combined, as in 'surface 40% for protein, spheres for ligand'. By default, proteins of 20 or more residues "
-           "are cartoons with spheres near the probe and for highlighted or marked atoms; everything else is spheres.",
+           "The drawing: spheres show what is felt, a surface is that of the scene's probe, and several combine as in "
+           "'surface 40% for protein, spheres for ligand'. By default, proteins of 20 or more residues are cartoons "
+           "with spheres near the probe and for highlighted or marked atoms; everything else is spheres.",
        .words = styleNames()},
       {.name = "hide",
        .type = ValueType::Target,
@@ -263,11 +267,10 @@ std::vector<KeySpec> sceneKeys() {
            "The captions below the two molecules of a scene with 'beside': 'wool, silk'. By default their names."},
       {.name = "then",
        .type = ValueType::Text,
-       .meaning =
-           "A second structure of the same molecule, by its name; a slider moves the atoms between both, also "
-           "under the hand. Atoms are matched by chain, residue and name. The structures are superposed over CA, P "
-           "and C1'; with '1ake, superposed on chain A' over those of the selected atoms; over all of these atoms "
-           "if that gives fewer than three. 'none' ends it."},
+       .meaning = "A second structure of the same molecule, by its name, whose atoms are matched by chain, residue and "
+                  "name; a slider moves the atoms between both, also under the hand. The structures are superposed "
+                  "over CA, P and C1', or with '1ake, superposed on chain A' over those of the selected atoms (all of "
+                  "these if fewer than three); 'none' ends it."},
       {.name = "states",
        .type = ValueType::TextList,
        .meaning = "The names of the two structures on the slider: 'open, closed'. By default those of the molecules."},
@@ -278,33 +281,33 @@ std::vector<KeySpec> sceneKeys() {
        .fallback = "0%"},
       {.name = "elastic",
        .type = ValueType::Word,
-       .meaning = "'on' makes the molecule give way to the hand as an elastic network: springs between residues within "
+       .meaning = "'on' makes the molecule yield to the hand as an elastic network: springs between residues within "
                   "15 Å. The panel 'motion' shows its modes.",
        .fallback = "off",
        .words = {"on", "off"}},
       {.name = "scan",
        .type = ValueType::Quantity,
-       .meaning = "The radius of a tip that scans the molecule line by line from the viewer's side, like that of an "
-                  "atomic force microscope; the height picture grows in the view. The scanned surface can then be "
-                  "touched instead of the atoms, but does no task. '0 Å' ends it.",
+       .meaning =
+           "The radius of a tip that scans the molecule line by line from the viewer's side, like an atomic force "
+           "microscope; the height picture grows in the view, and '0 Å' ends it. The scanned surface can then be "
+           "touched instead of the atoms, but does no task.",
        .fallback = "0 Å",
        .dimension = Dimension::Length,
        .max = 20.0},
       {.name = "simulation",
        .type = ValueType::Text,
-       .meaning = "A file beside the lesson or the molecule, 'peptide.xml', with a serialised OpenMM system of the "
-                  "molecule's atoms: a simulation moves them, and the hand pushes them. 'moltact simulate prepare' "
-                  "makes it. Or 'imd://127.0.0.1:8888', the numeric address and the port of a simulation in another "
-                  "program that speaks IMD (GROMACS, LAMMPS, NAMD); one on another computer is connected when the "
-                  "student presses a button. 'none' ends it."},
+       .meaning =
+           "A serialised OpenMM system of the molecule's atoms, 'peptide.xml' beside the lesson or the molecule "
+           "('moltact simulate prepare' makes it): it moves the atoms, and the hand pushes them. Or "
+           "'imd://127.0.0.1:8888', a simulation in another program that speaks IMD (GROMACS, LAMMPS, NAMD); one on "
+           "another computer is connected when the student presses a button; 'none' ends it."},
       {.name = "trajectory",
        .type = ValueType::Text,
-       .meaning =
-           "A file with frames of the molecule's atoms (DCD, XTC, TRR, AMBER's NetCDF; models of GRO, PDB, mmCIF) "
-           "beside the lesson or the molecule, or a molecule's name: the atoms move from frame to frame, also under "
-           "the hand. Each frame is superposed on the molecule over CA, P and C1'; with 'md.xtc, superposed on chain "
-           "A' over those of the selected atoms; over all of these atoms if that gives fewer than three. 'md.xtc, not "
-           "superposed' leaves each frame where it is; 'none' ends it."},
+       .meaning = "A file with frames of the molecule's atoms (DCD, XTC, TRR, AMBER's NetCDF; models of GRO, PDB, "
+                  "mmCIF) beside the lesson or the molecule, or a molecule's name; the atoms move from frame to frame, "
+                  "also under the hand. Each frame is superposed over CA, P and C1', or with 'md.xtc, superposed on "
+                  "chain A' over those of the selected atoms (all of these if fewer than three); 'md.xtc, not "
+                  "superposed' leaves it in place; 'none' ends it."},
       {.name = "frames",
        .type = ValueType::Text,
        .meaning = "The frames of the trajectory that are shown, counted from 1: '1-100', or '50-' to the end.",

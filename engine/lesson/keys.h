@@ -125,7 +125,7 @@ struct FactSpec {
   bool holds(double computed) const;
 };
 
-/// What an author says to a touch of these atoms.
+/// The author's remark on a touch of these atoms.
 struct SelectionRemark {
   Selection atoms;
   std::string text;

@@ -87,8 +87,8 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
-  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, simulation,
-      trajectory, scan, hydrogen_bonds;
+  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, elastic,
+      simulation, trajectory, scan, hydrogen_bonds;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -152,7 +152,7 @@ struct SceneSpec {
                                       ///< atoms
   SecondState then;
   TrajectorySpec trajectory;
-  bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
+  bool elastic = false;  ///< the molecule yields to the hand as an elastic network (engine/dynamics)
   double scan_A = 0.0;   ///< radius of a tip that scans the molecule (engine/haptics/height_field); 0: none
   /// File of a serialised system whose simulation moves the atoms, or an address (simulation_engines.h); empty: none.
   std::string simulation;

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kVoxel_A = 0.5;  // the smallest; larger where a scene would have more than kMaxVoxels
 constexpr double kMaxVoxels = 4e6;
-constexpr double kBranch_A = 1.0;     // longest branch of the tree
-constexpr double kLeastStep_A = 0.1;  // shorter ones are not added
-constexpr double kCell_A = 0.5;       // edge of the cells by which sparse regions are recognised
+constexpr double kBranch_A = 1.0;   // longest branch of the tree
+constexpr double kMinStep_A = 0.1;  // shorter ones are not added
+constexpr double kCell_A = 0.5;     // edge of the cells by which sparse regions are recognised
 constexpr std::size_t kMaxNodes = 30'000;
 constexpr int kShortcuts = 150;
 
@@ -105,7 +105,7 @@ class Tree {
     const PoseA& start = nodes_[from].pose;
     const double whole = space_.motion_A(start, toward);
     if (!(whole > 0.0)) return false;
-    for (double part = std::min(1.0, kBranch_A / whole); part * whole >= std::min(kLeastStep_A, whole); part *= 0.5) {
+    for (double part = std::min(1.0, kBranch_A / whole); part * whole >= std::min(kMinStep_A, whole); part *= 0.5) {
       const PoseA to = between(start, toward, part);
       if (!isFreeBetween(start, to)) continue;
       int& crowd = crowd_[cellOf(to)];

@@ -1,7 +1,7 @@
-// Searches a free path of a rigid body among the spheres of a scene: a tree of poses that grows from a start (rapidly
-// exploring random tree, LaValle & Kuffner 2001, with random steps from sparse regions) until one pose is reached or
-// the budget of tests is used up. A path that is found is free; that none is found proves nothing. For the planning of
-// demonstrations, not for the haptic thread. Units: angstrom, radian.
+// Searches a free path of a rigid body among the spheres of a scene. A tree of poses grows from a start until one pose
+// is reached or the budget of tests is used up. The method is the rapidly exploring random tree (LaValle & Kuffner
+// 2001), with random steps from sparse regions. A path that is found is free; that none is found proves nothing. For
+// the planning of demonstrations, not for the haptic thread. Units: angstrom, radian.
 #pragma once
 
 #include <cstdint>

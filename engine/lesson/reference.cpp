@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kHead = R"(# Every key of a lesson
 
 `moltact lesson-reference > docs/lesson-reference.md` generates this page from the tables of the lesson reader; a test checks that they agree.
-[Write a lesson](write-a-lesson.md) explains how to write lessons.
+[Write a lesson](write-a-lesson.md) explains how to write lessons, and [what a lesson can hold](lesson-text.md) shows each part by example.
 
 In the tables, *needed* marks a required key; for other keys the column gives the default, or — if the key then has no effect. A line that
 starts with `#` inside a block or the front matter is a comment.
@@ -80,7 +80,7 @@ std::string valueOf(const KeySpec& key) {
              ", or `facing` and a [selection](#selections), or `turned` and two or three angles in degrees; optionally "
              "followed by a comma, `zoom` and a selection";
     case ValueType::Marks:
-      return (key.words.empty() ? "" : someOf(key.words) + ", ") +
+      return (key.words.empty() ? "" : someOf(key.words) + "; ") +
              std::string("names in double quotes, and `for` with a [selection](#selections); or `none`");
     case ValueType::Places:
       return "[selections](#selections) with ` - ` between them, several separated by commas; or `none`";

@@ -16,7 +16,7 @@
 namespace moltact {
 namespace {
 
-// The stiffness of the spring to a hand that gives way: it only damps the fall (unit: N/mm; 0.7 kcal/mol/A^2).
+// The stiffness of the spring to a hand that yields: it only damps the fall (unit: N/mm; 0.7 kcal/mol/A^2).
 constexpr double kYielding_N_per_mm = 5e-4;
 constexpr int kMaxTicks = 4000, kRestTicks = 5;
 constexpr double kRest_A = 2e-4;       // motion per tick below which it rests

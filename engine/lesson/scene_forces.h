@@ -1,5 +1,5 @@
-// The forces between atoms in a scene, for tasks and checks that judge by energy: how firmly what the hand holds is bound,
-// and where it falls when the hand gives way. Any thread but the haptic one. Units: angstrom, kcal/mol.
+// The forces between atoms in a scene, for tasks and checks that judge by energy. They tell how firmly what the hand
+// holds is bound, and where it falls when the hand yields. Any thread but the haptic one. Units: angstrom, kcal/mol.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class SceneForces {
   const SphereGrid& spheres() const { return *spheres_; }
   const std::shared_ptr<const HeldBody>& body() const { return body_; }
 
-  /// The same forces with another body in the hand, which the scene draws and feels as little as its own.
+  /// The same forces with another body in the hand, which the scene neither draws nor feels, like its own.
   std::shared_ptr<const SceneForces> holding(std::shared_ptr<const HeldBody> body) const;
 
   /// Where it comes to rest when a hand that offers no resistance begins at `start`, kept outside the atoms. `visit`
@@ -44,9 +44,9 @@ class SceneForces {
   std::optional<Well> fall(const PoseA& start, const TouchChange& change = {},
                            const std::function<bool(const Well&)>& visit = {}) const;
 
-  /// The wells that `count` falls from the surface lead to, the deepest first: of a body in random orientations, from the
-  /// pose of its file first; of a probe from the places with the lowest energy. The same arguments give the same wells.
-  /// A search: a deeper well may exist. Falls begin only at places for which `from` is true.
+  /// The wells that `count` falls from the surface lead to, the deepest first. A body falls in random orientations,
+  /// from the pose of its file first; a probe from the places with the lowest energy. The same arguments give the same
+  /// wells. A search: a deeper well may exist. Falls begin only at places for which `from` is true.
   std::vector<Well> wells(int count, const TouchChange& change = {},
                           const std::function<bool(const Vec3&)>& from = {}) const;
 

@@ -14,6 +14,7 @@
 #include "engine/lesson/scene_atoms.h"
 #include "engine/lesson/scene_forces.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -98,7 +99,7 @@ void LessonSession::makeTasks() {
   const std::vector<std::uint32_t> untouchable =
       molecule_ ? untouchableAtoms(scene(), *molecule_) : std::vector<std::uint32_t>();
   const std::shared_ptr<const HeldBody> body =
-      molecule_ ? heldBody(molecule_->spheres, heldAtoms(scene(), *molecule_)) : nullptr;
+      molecule_ ? heldBody(*molecule_, heldAtoms(scene(), *molecule_)) : nullptr;
   const std::shared_ptr<const SceneForces> forces =
       step().tasks.empty() ? nullptr : sceneForces(scene(), molecule_, untouchable, body);
   for (const TaskSpec& spec : step().tasks) {

@@ -169,15 +169,15 @@ class LessonSession {
   bool write(std::size_t question, std::string text);
   /// The remaining tries of a question in the current step; no value without a limit.
   std::optional<int> triesLeft(std::size_t question) const;
-  /// The feedback on the last attempt at a question: that of each choice, or of the answer block; when the tries are
-  /// used up, with the right answer; for a free answer, the author's model. Empty if nothing may be shown yet.
+  /// The feedback on the last attempt at a question: that of each choice, or of the answer block. When the tries are
+  /// used up, it includes the right answer; for a free answer, the author's model. Empty if nothing may be shown yet.
   std::vector<RichText> feedback(std::size_t question) const;
 
   /// The same for any step.
   bool taskDone(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] != kOpen; }
   bool taskSolved(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] == kSolved; }
-  /// Atoms that show the answers of tasks in the current step whose tries were used up in this sitting, and examples
-  /// for a current task that has been tried for long; ascending.
+  /// Atoms that show the answers of tasks in the current step whose tries were used up in this sitting. Includes
+  /// examples for a current task that has been tried for long. Ascending.
   std::vector<std::uint32_t> shownAtoms() const;
   const QuestionStatus& question(std::size_t step, std::size_t index) const { return states_[step].questions[index]; }
   /// The quantities of a completed task of any step; empty if it was completed before the session was resumed.

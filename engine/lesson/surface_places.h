@@ -1,6 +1,6 @@
 // Places where a probe rests on a molecule: on the face of one atom, in the crease between two, in the pit between
-// three; and whether it reaches them from outside. For tasks that follow a crease and for hands that demonstrate a
-// task. Not for the haptic thread. Unit: angstrom.
+// three. Also whether the probe reaches them from outside. For tasks that follow a crease and for hands that
+// demonstrate a task. Not for the haptic thread. Unit: angstrom.
 #pragma once
 
 #include <array>

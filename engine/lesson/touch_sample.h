@@ -25,7 +25,7 @@ struct TouchSample {
                                    ///< relative to the molecule's file; empty: the hand holds the probe
   bool one_spring = false;         ///< the body is one rigid body on one spring, so its atoms are where they are drawn
   bool hovering = false;           ///< a hand of mouse or keys that does not press: it feels nothing on purpose
-  bool placed = false;             ///< the contact was discarded before this tick, so no path leads here
+  bool contact_reset = false;      ///< the contact was discarded before this tick, so no path leads here
   Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
   std::optional<MolecularEnergy> energy = {};  ///< of the drawn pose; empty where no forces between atoms act
 
@@ -55,7 +55,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .orientation = tick.orientation,
           .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
           .one_spring = tick.holds_body && tick.body_pose,
-          .placed = tick.contact_reset,
+          .contact_reset = tick.contact_reset,
           .torque_N_mm = tick.torque_N_mm,
           .energy = tick.molecular_energy};
 }

@@ -59,7 +59,7 @@ std::size_t dropWaters(MoleculeStorage& grown) {
 }  // namespace
 
 MoleculeBuilder::MoleculeBuilder(const TextSource& text, const ReadOptions& options, bool has_charges)
-    : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty(), has_charges) {}
+    : options_(options), radii_(radiusTable(options.radii)), text_(text), file_(text.file()), out_(!options.assembly.empty(), has_charges) {}
 
 // The length of a line is estimated from the first lines. The arrays of the molecule are then allocated once for all
 // atoms, because growing a list holds both copies for a while.
@@ -76,7 +76,7 @@ void MoleculeBuilder::expectMore() {
 }
 
 std::int32_t MoleculeBuilder::unknownElement(const ParsedAtom& atom) {
-  if (element(atom.atomic_number).source != RadiusSource::Default) return -1;
+  if (radii_.knows(atom.atomic_number)) return -1;
   constexpr std::size_t kMaxShown = 25;
   const std::string_view symbol = atom.atomic_number > 0 && atom.atomic_number <= kElementCount
                                       ? element(atom.atomic_number).symbol
@@ -122,11 +122,11 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   PlacedAtom& atom = waits.atom;
   atom.position.A = from.position_A;
   atom.atomic_number = static_cast<std::uint8_t>(std::clamp(from.atomic_number, 0, kElementCount));
-  atom.radius_A = from.radius_A >= 0.0 ? from.radius_A : element(atom.atomic_number).radius_A;
+  atom.radius_A = from.radius_A >= 0.0 ? from.radius_A : radii_.radius(atom.atomic_number);
   atom.b_factor_A2 = saturateToFloat(from.b_factor_A2);
   std::copy_n(from.name.data(), std::min(from.name.size(), atom.name.size() - 1), atom.name.data());
   waits.charge_e = saturateToFloat(from.charge_e);
-  waits.name = std::hash<std::string_view>()(from.name);
+  waits.name = from.name;
   waits.occupancy = from.occupancy;
   waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
   waits.alternate = from.alternate;
@@ -138,7 +138,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
 /// Keeps the atoms of highest occupancy among those of one name.
 void MoleculeBuilder::keepLikeliest() {
   std::vector<char> keep(waiting_.size(), 1);
-  std::unordered_map<std::uint64_t, std::size_t> best;
+  std::unordered_map<std::string_view, std::size_t> best;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const auto [it, is_new] = best.emplace(waiting_[i].name, i);
     if (is_new) continue;
@@ -153,7 +153,7 @@ void MoleculeBuilder::keepLikeliest() {
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i)
-    if (keep[i]) waiting_[kept++] = waiting_[i];
+    if (keep[i] && kept++ != i) waiting_[kept - 1] = std::move(waiting_[i]);
   waiting_.resize(kept);
 }
 
@@ -257,6 +257,7 @@ Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
     out.numbers_in_file = std::move(out_.arrays.numbers_in_file);
     out.atoms_in_file = in_file_;
   }
+  out.body_overlap_A = radii_.body_overlap_A;
   out.residues = std::move(out_.arrays.residues);
   out.chains = std::move(out_.arrays.chains);
   return out;

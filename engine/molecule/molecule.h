@@ -106,6 +106,7 @@ struct Molecule {
   /// of the file. The frames of a trajectory have the file's atoms, water and alternates included.
   SharedArray<std::uint32_t> numbers_in_file;
   std::uint32_t atoms_in_file = 0;  ///< in its model; 0: unknown, as for an assembly
+  double body_overlap_A = 0.5;      ///< RadiusTable::body_overlap_A of its radii
   std::uint32_t beside_from = 0;    ///< index of the first atom of a second molecule (side_by_side.h); 0: none
   std::string beside_id;            ///< short name of the second molecule
 

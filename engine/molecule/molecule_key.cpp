@@ -7,13 +7,20 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/radius_tables.h"
 
 namespace moltact {
 namespace {
 
 int modelsIn(const Molecule& molecule) { return std::max(1, int(molecule.models_in_file)); }
 
-constexpr std::array kOptions{
+std::vector<OfferedWord> radiusWords() {
+  std::vector<OfferedWord> out;
+  for (const RadiusTable& table : radiusTables()) out.push_back(table.word);
+  return out;
+}
+
+const std::array kOptions{
     ReadingOption{.name = "model",
                   .member = &ReadOptions::model,
                   .label_format = N_("model {0}"),
@@ -63,6 +70,15 @@ constexpr std::array kOptions{
                         return std::string(
                             tr("For comparison: one of the library by its name, or a file in the same folder."));
                       }},
+    ReadingOption{.name = "radii",
+                  .member = &ReadOptions::radii,
+                  .label_format = N_("radii: {0}"),
+                  .fallback = "bondi",
+                  .meaning = "The table of van der Waals radii. A radius in the molecule's file takes precedence.",
+                  .option_help = "The table of van der Waals radii",
+                  .label = N_("Van der Waals radii"),
+                  .words = &radiusWords,
+                  .note = [](const Molecule&) { return std::string(tr("A radius in the file takes precedence.")); }},
 };
 
 }  // namespace

@@ -30,6 +30,8 @@ struct ReadOptions {
       assembly{};  ///< name of the biological assembly to build ("1"); empty: the coordinates of the file (default)
   std::string beside{};  ///< name or file of a second molecule beside this one (side_by_side.h); empty: none
 
+  std::string radii = "bondi";  ///< name of the table of van der Waals radii (radius_tables.h)
+
   friend auto operator<=>(const ReadOptions&, const ReadOptions&) = default;
 };
 

@@ -1,7 +1,6 @@
 #include "engine/molecule/molecule_storage.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 
 #include "engine/language/catalogue.h"
@@ -23,6 +22,9 @@ void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expecte
 
 // The heap memory of a text, including the overhead of an allocation.
 std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::kInside ? text.size() + 16 : 0; }
+
+// The memory of an entry of label_numbers_ with its bucket and the overhead of an allocation.
+constexpr std::size_t kMapEntryBytes = sizeof(std::pair<std::string, std::uint32_t>) + 40;
 
 }  // namespace
 
@@ -85,9 +87,13 @@ void MoleculeStorage::put(std::size_t at, const PlacedAtom& atom, float charge_e
     }
     if (!label_of_.empty() || !label_chain_.empty()) {
       makeRoom(label_of_, m.atoms.size(), expected);
-      const std::uint32_t number = names_label_chains_
-                                       ? static_cast<std::uint32_t>(labels_.size())
-                                       : static_cast<std::uint32_t>(std::hash<std::string_view>()(label_chain_)) | 1u;
+      std::uint32_t number = static_cast<std::uint32_t>(labels_.size());
+      if (!names_label_chains_ && !label_chain_.empty()) {
+        const auto [known, is_new] =
+            label_numbers_.try_emplace(label_chain_, static_cast<std::uint32_t>(label_numbers_.size() + 1));
+        if (is_new) text_bytes_ += kMapEntryBytes + heapBytes(label_chain_);
+        number = known->second;
+      }
       label_of_.push_back(label_chain_.empty() ? 0 : number);
     }
     makeRoom(m.residues, m.atoms.size(), expected);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/core/problem.h"
@@ -37,7 +38,7 @@ class MoleculeStorage {
     char insertion = ' ';
     RecordedStructure recorded{};
   };
-  /// `names_label_chains`: keeps the names of label chains for a later assembly; otherwise only their identity is kept.
+  /// `names_label_chains`: keeps the names of label chains for a later assembly; otherwise only numbers.
   /// `has_charges`: the atoms have partial charges.
   explicit MoleculeStorage(bool names_label_chains = false, bool has_charges = false)
       : names_label_chains_(names_label_chains), has_charges_(has_charges) {}
@@ -66,7 +67,7 @@ class MoleculeStorage {
   std::size_t bytes() const;
   /// Completes the last residue.
   void close();
-  /// The label_chain of a residue; without names, a text that identifies it.
+  /// The label_chain of a residue; without names, a text that is the same for equal labels alone.
   std::string_view labelChain(std::size_t residue) const;
   bool namesLabelChains() const { return names_label_chains_; }
   bool hasCharges() const { return has_charges_; }
@@ -77,8 +78,11 @@ class MoleculeStorage {
  private:
   bool names_label_chains_, has_charges_;
   std::string label_chain_;  // of the last residue
-  // Per residue: index into labels_ from 1, or without names a hash; 0: none. Empty if no residue has one.
+  // Per residue: index into labels_ from 1, or without names its number in label_numbers_; 0: none. Empty if no
+  // residue has one.
   std::vector<std::uint32_t> label_of_;
+  // Without names: the number of each label so far, from 1.
+  std::unordered_map<std::string, std::uint32_t> label_numbers_;
   std::vector<ShortText> labels_;  // one for each run of equal labels
   std::size_t text_bytes_ = 0;     // of names too long for a ShortText's own storage
 };

@@ -13,6 +13,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/molecule/molecule_storage.h"
+#include "engine/molecule/radius_tables.h"
 #include "engine/molecule/reader.h"
 #include "engine/molecule/text_source.h"
 
@@ -90,7 +91,7 @@ class MoleculeBuilder {
   struct Waiting {
     PlacedAtom atom;
     float charge_e = 0.0f;
-    std::uint64_t name = 0;  // hash of the full name
+    std::string name;  // the full name; the atom's is cut to its room
     double occupancy = 1.0;
     std::uint32_t residue = 0;  // index into residues_
     std::uint32_t in_file = 0;  // Molecule::numbers_in_file
@@ -106,6 +107,7 @@ class MoleculeBuilder {
   void warnOfElements(bool waters_kept, std::vector<std::string>& warnings) const;
 
   const ReadOptions& options_;
+  const RadiusTable& radii_;
   const TextSource& text_;
   std::string file_;
   MoleculeStorage out_;

@@ -1,5 +1,5 @@
 // Reads PDB files line by line. Atoms are read here, so that messages name the line and column of an invalid number and
-// only the molecule needs memory; gemmi reads the records that name, describe and copy them. gemmi alone takes 0.14 s
+// only the molecule needs memory. gemmi reads the records that name, describe and copy them. gemmi alone takes 0.14 s
 // and 166 MB for a million atoms, this reader 0.26 s and 54 MB (build/release/reading_benchmark). gemmi rejects files
 // from before 1996, whose columns 73 to 80 contain the entry's name and line numbers. For every file of the library
 // both read the same atoms (tests/molecule/gemmi_agrees_test.cpp).

@@ -1,5 +1,5 @@
-// Reads PQR in the form of PDB2PQR and APBS: lines of a PDB file with blanks between the words, and the atom's charge
-// and radius instead of occupancy and B factor.
+// Reads PQR in the form of PDB2PQR and APBS: lines of a PDB file with blanks between the words. The atom's charge and
+// radius replace occupancy and B factor.
 #include <charconv>
 #include <cmath>
 #include <gemmi/elem.hpp>

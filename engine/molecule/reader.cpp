@@ -10,24 +10,26 @@
 #include "engine/molecule/side_by_side.h"
 #include "engine/platform/read_file.h"
 
-// One line per file name ending, with a reader function of this name in its own file. The catalogue, the window's file
+// One line per file name ending, with a reader function of this name in its own file, and whether the format has partial
+// charges. A reader of a binary format takes its input from TextSource::bytes(). The catalogue, the window's file
 // browser and the messages use this table. Of two files of the same name the earlier ending takes precedence.
-#define MOLTACT_FORMATS(X) \
-  X(".cif", readMmcif)     \
-  X(".pdb", readPdb)       \
-  X(".ent", readPdb)       \
-  X(".mmcif", readMmcif)   \
-  X(".sdf", readSdf)       \
-  X(".mol", readSdf)       \
-  X(".mol2", readMol2)     \
-  X(".pqr", readPqr)       \
-  X(".pdbqt", readPdbqt)   \
-  X(".gro", readGro)       \
-  X(".xyzr", readXyzr)
+#define MOLTACT_FORMATS(X)      \
+  X(".cif", readMmcif, false)   \
+  X(".pdb", readPdb, false)     \
+  X(".ent", readPdb, false)     \
+  X(".mmcif", readMmcif, false) \
+  X(".sdf", readSdf, false)     \
+  X(".mol", readSdf, false)     \
+  X(".mol2", readMol2, true)    \
+  X(".pqr", readPqr, true)      \
+  X(".pdbqt", readPdbqt, true)  \
+  X(".gro", readGro, false)     \
+  X(".xyzr", readXyzr, false)
 
 namespace moltact {
 
-#define MOLTACT_DECLARE(ending, reader) Expected<Molecule> reader(TextSource& text, const ReadOptions& options);
+#define MOLTACT_DECLARE(ending, reader, charges) \
+  Expected<Molecule> reader(TextSource& text, const ReadOptions& options);
 MOLTACT_FORMATS(MOLTACT_DECLARE)
 #undef MOLTACT_DECLARE
 
@@ -38,9 +40,10 @@ using ReadText = Expected<Molecule> (*)(TextSource& text, const ReadOptions& opt
 struct Format {
   const char* extension;
   ReadText read;
+  bool has_charges;  // partial charges of the atoms
 };
 
-#define MOLTACT_ROW(ending, reader) Format{ending, reader},
+#define MOLTACT_ROW(ending, reader, charges) Format{ending, reader, charges},
 constexpr Format kFormats[] = {MOLTACT_FORMATS(MOLTACT_ROW)};
 #undef MOLTACT_ROW
 
@@ -76,13 +79,15 @@ bool looksLikeXyzr(std::string_view text) {
 std::optional<Problem> notRead(std::string_view head, const std::string& extension, const std::string& file) {
   if (head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06"))
     return Problem{file, 0, 0, tr("it is a zip archive"), tr("unpack it, and open the molecule's file that is in it")};
-  if (extension == ".bcif" || extension == ".mmtf")
+  const bool read = std::any_of(std::begin(kFormats), std::end(kFormats),
+                                [&](const Format& format) { return extension == format.extension; });
+  if (!read && (extension == ".bcif" || extension == ".mmtf"))
     return Problem{file, 0, 0, tr("binary files of molecules are not read"), tr("take the .cif file of the entry")};
   return std::nullopt;
 }
 
-/// True for a PDBQT file, whose lines of atoms are those of a PDB file with a charge of three decimals in columns 71-76,
-/// where PDB has four letters of a segment at most, and a type from column 78 on.
+/// True for a PDBQT file, whose lines of atoms are those of a PDB file with two differences. Columns 71-76 have a
+/// charge of three decimals, where PDB has four letters of a segment at most. A type follows from column 78 on.
 bool looksLikePdbqt(std::string_view text) {
   std::size_t atoms = 0;
   while (!text.empty()) {
@@ -155,6 +160,13 @@ std::vector<std::string_view> moleculeEndings() {
 std::string moleculeEndingsText() {
   std::string out;
   for (const Format& format : kFormats) out += (out.empty() ? "" : " ") + std::string(format.extension);
+  return out;
+}
+
+std::string chargedEndingsText() {
+  std::string out;
+  for (const Format& format : kFormats)
+    if (format.has_charges) out += (out.empty() ? "" : " ") + std::string(format.extension);
   return out;
 }
 

@@ -41,6 +41,8 @@ inline constexpr double kMaxCoordinate_A = 1e9;
 std::vector<std::string_view> moleculeEndings();
 /// The same as one text: ".cif .pdb .ent".
 std::string moleculeEndingsText();
+/// Those of formats with partial charges: ".mol2 .pqr .pdbqt".
+std::string chargedEndingsText();
 
 /// True if the file's name has one of these endings, with or without .gz, in upper or lower case.
 bool hasMoleculeName(const std::filesystem::path& file);

@@ -214,6 +214,16 @@ bool TextSource::next(std::string_view& line) {
   return true;
 }
 
+bool TextSource::bytes(std::size_t most, std::string& out) {
+  if (at_ == end_ && !fill()) return false;
+  const std::size_t count = std::min(most, end_ - at_);
+  out.append(buffer_, at_, count);
+  at_ += count;
+  given_ += count;
+  blank_ = false;
+  return true;
+}
+
 std::string_view TextSource::ahead() {
   constexpr std::size_t kLook = 1 << 16;
   while (end_ - at_ < kLook && fill()) {

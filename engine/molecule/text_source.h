@@ -1,4 +1,4 @@
-// Reads the text of a molecule's file line by line, from memory or from a file, decompressing gzip on the fly. Only a
+// Reads a molecule's file line by line or as bytes, from memory or from a file, decompressing gzip on the fly. Only a
 // small part is held in memory. Internal to engine/molecule.
 #pragma once
 
@@ -48,6 +48,9 @@ class TextSource {
   /// Reads the next line, without its line feed, valid until the next call. Returns false at the end or on an error,
   /// see problem().
   bool next(std::string_view& line);
+  /// Reads up to `most` bytes as they are, for a binary format, and appends them to `out`. Returns false at the end or on
+  /// an error. Lines and bytes may alternate.
+  bool bytes(std::size_t most, std::string& out);
   std::size_t number() const { return number_; }  ///< number of the last line, from 1
   /// Up to 64 KiB of the following text, without consuming it.
   std::string_view ahead();

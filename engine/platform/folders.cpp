@@ -66,6 +66,20 @@ std::vector<fs::path> moduleFiles(const std::string& name) {
   return out;
 }
 
+std::vector<fs::path> programFiles(const std::string& name) {
+#ifdef _WIN32
+  const std::string file = name + ".exe";
+#else
+  const std::string& file = name;
+#endif
+  std::vector<fs::path> out;
+  if (const fs::path beside = executablesFolder(); !beside.empty()) {
+    out.push_back(beside / file);
+    out.push_back((beside / MOLTACT_MODULES_FROM_PROGRAM / file).lexically_normal());
+  }
+  return out;
+}
+
 fs::path browserEdition() {
   std::error_code error;
 #ifdef MOLTACT_BUILD_FOLDER

@@ -25,6 +25,10 @@ std::filesystem::path translationsFolder();
 /// an extension. The files may not exist.
 std::vector<std::filesystem::path> moduleFiles(const std::string& name);
 
+/// Where another program of the project may be, the most likely place first: beside the executable, in the folder of
+/// modules of the installation. `name` without an extension. The files may not exist.
+std::vector<std::filesystem::path> programFiles(const std::string& name);
+
 /// The browser edition, moltact.html: from homeFolder(), else from the build of the preset `web`. Empty if neither
 /// exists.
 std::filesystem::path browserEdition();

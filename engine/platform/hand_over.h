@@ -1,4 +1,4 @@
-// File exchange with the user in the browser edition, where the program's folders are invisible: a written file is
+// File exchange with the user in the browser edition, where the program's folders are invisible. A written file is
 // given as a download, and the browser opens files of the user. On other systems program and user share folders, and
 // these functions do nothing. Window's thread.
 #pragma once

@@ -1,4 +1,4 @@
-// Runs another program and waits for it. Not for the haptic thread.
+// Runs another program. Not for the haptic thread.
 #pragma once
 
 #include <string>
@@ -16,5 +16,9 @@ struct ProgramRun {
 /// Runs `words[0]`, found by the system's search, with the other words as its arguments; no shell reads them. `quiet`
 /// discards its standard error. A Problem if it cannot be started, or on a system without programs to run.
 Expected<ProgramRun> runProgram(const std::vector<std::string>& words, bool quiet = false);
+
+/// Goes on as another program, `words[0]`, with the other words as its arguments and with our standard streams. On Linux
+/// it replaces this process and returns only a Problem. Elsewhere it waits for the program and returns its exit status.
+Expected<int> becomeProgram(const std::vector<std::string>& words);
 
 }  // namespace moltact

@@ -13,6 +13,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/elements.h"
+#include "engine/molecule/radius_tables.h"
 #include "engine/python/arrays.h"
 #include "engine/python/chemistry.h"
 #include "engine/python/feeler.h"
@@ -30,10 +31,11 @@ struct MoleculeError : std::runtime_error {
 };
 
 SharedMolecule load(const py::object& file, int model, bool waters, const std::string& assembly,
-                    const std::string& beside) {
+                    const std::string& beside, const std::string& radii) {
   const std::string name = py::str(py::module_::import("os").attr("fspath")(file));
   if (model < 1 || model > kMaxReadNumber) throw py::value_error("model must be a number from 1 to 100000");
-  const ReadOptions options{model, waters, assembly, beside};
+  if (radiusTable(radii).word.name != radii) throw py::value_error("radii must be one of radius_tables()");
+  const ReadOptions options{model, waters, assembly, beside, radii};
   Expected<Molecule> read = [&] {
     const py::gil_scoped_release released;
     return openMolecule(name, options);
@@ -153,7 +155,8 @@ std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms,
     input.body = bodyOfSpheres(spheresOf(shape));
   } else {
     held = indicesOf(atoms, spheres.size(), "atoms");
-    input.body = heldBody({spheres.data(), spheres.size()}, held);
+    input.body = py::isinstance<Molecule>(scene) ? heldBody(*scene.cast<SharedMolecule>(), held)
+                                                 : heldBody({spheres.data(), spheres.size()}, held);
   }
   if (!input.body) throw py::value_error("a body has 1 to " + std::to_string(kMaxHeldAtoms) + " atoms");
   input.spheres = std::make_shared<const SphereGrid>(spheres, held);
@@ -177,7 +180,7 @@ void addMolecule(py::module_& m) {
              return "<moltact.Molecule " + self.id + ", " + std::to_string(self.atoms.size()) + " atoms>";
            })
       .def("chemistry", &chemistryOfMolecule, py::arg("charges") = kNoCharges,
-           "Element, type and charge of each atom. charges: 'none', 'file' (of a PQR, MOL2 or PDBQT file) or 'formal' "
+           "Element, type and charge of each atom. charges: 'none', 'file' (of a file with charges) or 'formal' "
            "(at pH 7).")
       .def("describe", &describe, py::arg("atom"), "The atom in words: \"O of Asp 52 (chain A)\".")
       .def_property_readonly(
@@ -242,7 +245,7 @@ void addMolecule(py::module_& m) {
           },
           "Residue number of each atom in the file, shape (n,); 0 for a file without residues.");
   m.def("load", &load, py::arg("file"), py::kw_only(), py::arg("model") = 1, py::arg("waters") = false,
-        py::arg("assembly") = "", py::arg("beside") = "",
+        py::arg("assembly") = "", py::arg("beside") = "", py::arg("radii") = "bondi",
         "Reads a molecule: a file (PDB, mmCIF, SDF, MOL2, PQR, PDBQT, GRO, XYZR, also gzipped) or a name of Moltact's "
         "library, such "
         "as \"1ubq\". Raises MoleculeError.");
@@ -334,6 +337,14 @@ PYBIND11_MODULE(_moltact, m) {
   py::register_exception<MoleculeError>(m, "MoleculeError", PyExc_ValueError);
   m.attr("__version__") = MOLTACT_VERSION;
   m.def("methods", &methodNames, "Names of the haptic methods, the default first.");
+  m.def(
+      "radius_tables",
+      [] {
+        std::vector<std::string> out;
+        for (const RadiusTable& table : radiusTables()) out.emplace_back(table.word.name);
+        return out;
+      },
+      "Names of the tables of van der Waals radii, the default first.");
   m.def(
       "interactions",
       [](bool body) {

@@ -126,8 +126,8 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
   if (molecule.atoms.empty()) return;
   if (without.size() >= molecule.atoms.size()) without = {};
   // In the camera's axes, relative to the first atom; m is the target's x. A sphere of radius r at (x, z) stays below
-  // the plane through the eye with slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t. The optimal m
-  // equalizes the largest bounds of the two sides, so that the perspective picture is filled from edge to edge.
+  // the plane through the eye with slope t if distance >= z + (x - m + r sqrt(1 + t^2)) / t. The optimal m equalizes
+  // the largest bounds of the two sides, so that the perspective picture is filled from edge to edge.
   const glm::dquat to_axes = glm::conjugate(orientation);
   const Vec3 origin = molecule.spheres[0].centre_A;
   const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};

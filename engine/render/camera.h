@@ -68,7 +68,7 @@ struct Camera {
   /// Sets the viewing direction by azimuth (about +y, 0 = from +z, positive = from +x) and elevation (positive = from
   /// above).
   void lookFrom(double azimuth_rad, double elevation_rad);
-  /// Shows a long molecule from the side: if its longest axis points at the eye, the smallest rotation that lays it
+  /// Shows a long molecule from the side. If its longest axis points at the eye, the smallest rotation that lays it
   /// across the picture is applied; else the orientation is kept.
   void lookSideOn(const Molecule& molecule);
   /// Rotates so that the point lies between the eye and the target. Points within 0.1 A of the target are ignored.

@@ -1,5 +1,5 @@
 // The cartoon of a molecule: a ribbon along each chain's backbone, wide in helices, an arrow for each strand, a tube
-// elsewhere; for nucleic acids a band with a rung toward the partner of each base. Pure functions; any thread except
+// elsewhere. A nucleic acid is a band with a rung toward the partner of each base. Pure functions; any thread except
 // the haptic one. Units: angstrom.
 #pragma once
 

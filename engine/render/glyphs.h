@@ -37,13 +37,13 @@ struct Glyphs {
   void addTo(PixelBoxBuilder& box) const;
 };
 
-/// The arc of a torque about its axis lies at this distance from the axis or at the body's radius of gyration, whichever
-/// is greater (unit: pixel, in a picture 800 high). It is as long as the arrow of the force that gives the torque at
-/// that lever, at most kMaxTorqueArc_rad.
+/// The arc of a torque about its axis lies at this distance from the axis (unit: pixel, in a picture 800 high). If the
+/// body's radius of gyration is greater, it lies at that radius. It is as long as the arrow of the force that gives the
+/// torque at that lever, at most kMaxTorqueArc_rad.
 inline constexpr double kMinTorqueArc_px = 40, kMaxTorqueArc_rad = 5.2;
 
 /// The body's outline at the hand's pose is drawn from this largest distance between an atom there and as it rests
-/// (unit: pixel, in a picture 800 high), but not below kMinGhost_A.
+/// (unit: pixel, in a picture 800 high). The least distance is kMinGhost_A.
 inline constexpr double kMinGhost_px = 4, kMinGhost_A = 0.05;
 
 /// Length of the model at the HIP, in a picture 800 pixels high.

@@ -17,8 +17,9 @@ double highest_A(const HeightField& field, int lines);
 /// One pixel per node; the greatest y is at the top. Lines from `lines` on have the colour `ground`.
 Picture heightPicture(const HeightField& field, int lines, const Colour& ground);
 
-/// The finished scan for people, at least `least_px` wide and high: each node a square, a bar of lengths in the corner,
-/// and beside it the colours with the lowest and the greatest height. Returns an empty picture if no font is installed.
+/// The finished scan for people, at least `least_px` wide and high. Each node is a square, a bar of lengths lies in the
+/// corner, and beside the picture are the colours with the lowest and the greatest height. Returns an empty picture if
+/// no font is installed.
 Picture paintedScan(const HeightField& field, int least_px = 640);
 
 }  // namespace moltact

@@ -143,8 +143,8 @@ class Grid {
     return (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
   }
 
-  // Spreads the distance to the circle of two inflated spheres: to its arcs that no third sphere covers, and so to the
-  // points where three meet, at which the probe rests in pits and in crevices narrower than the grid.
+  // Spreads the distance to the circle of two inflated spheres, on its arcs that no third sphere covers. This includes
+  // the points where three meet, at which the probe rests in pits and in crevices narrower than the grid.
   void spreadCircle(std::uint32_t first, std::uint32_t second, double reach) {
     const auto circle = circleOf(inflated(spheres_[first], probe_), inflated(spheres_[second], probe_));
     if (!circle) return;

@@ -24,8 +24,8 @@ void main() {
 }
 )";
 
-// The ray's distance from the centre is computed at the ray's nearest point and not as |centre|^2 - radius^2, which
-// would lose the radius to rounding for a distant sphere. The rim lies behind the sphere's middle, so that overlapping
+// The ray's distance from the centre is computed at the ray's nearest point. The difference |centre|^2 - radius^2 would
+// lose the radius to rounding for a distant sphere. The rim lies behind the sphere's middle, so that overlapping
 // spheres have none between them; its normal is perpendicular to the ray, so it is dark.
 const char* const kRayText = R"(
 in vec3 v_ray;

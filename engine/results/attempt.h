@@ -189,9 +189,9 @@ struct AtomsMoved {
   std::string engine = {};
   friend bool operator==(const AtomsMoved&, const AtomsMoved&) = default;
 };
-/// The mover between the two structures of a scene: `file` is the second structure's, `detail` the selection by which it
-/// is superposed on the first (empty: the default atoms), `position` the fraction of the way (0: first structure, 1:
-/// second).
+/// The mover between the two structures of a scene: `file` is the second structure's, and `detail` the selection by
+/// which it is superposed on the first (empty: the default atoms). `position` is the fraction of the path (0: first
+/// structure, 1: second).
 inline constexpr std::string_view kMovedByStates = "states";
 /// The additional data of a HipSample with a held body.
 struct HeldSample {

@@ -12,6 +12,7 @@
 
 #include "engine/core/printable.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 
 namespace moltact {
 namespace {
@@ -187,7 +188,7 @@ void head(std::string& out, const ClassSummary& summary, std::span<const Columns
         row.text(trcf("column", "{0}/task {1} input", place, t + 1));
         for (const auto& [name, unit] : figuresAt(of.figures, step.id, t))
           row.text(trcf("column", "{0}/task {1} {2}", place, t + 1,
-                        tr(name.c_str()) + (unit.empty() ? std::string() : " " + unit)));
+                        figureTitle(name) + (unit.empty() ? std::string() : " " + unit)));
       }
     }
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 #include "engine/results/outcome_sections.h"
 #include "engine/results/page_parts.h"
@@ -41,7 +42,7 @@ FigureShown figureShown(const std::string& name, const std::string& unit) {
   const Unit* known = unitNamed(unit);
   const Unit* shown = shownInstead(unit);
   const std::string_view symbol = shown ? shown->symbol : std::string_view(unit);
-  return {tr(name.c_str()) + (symbol.empty() ? std::string() : ", " + std::string(symbol)),
+  return {figureTitle(name) + (symbol.empty() ? std::string() : ", " + std::string(symbol)),
           shown ? known->in_code_units / shown->in_code_units : 1.0};
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/core/svg.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact::page {
@@ -209,7 +210,7 @@ std::string curves(const std::string& title, const CurveKept* drawn, const Curve
   svg.text(kLeft - 4, kTop + kHigh + 3, "end", "0", kAxis);
   svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(of.to_A, Dimension::Length, significant(2)), kAxis);
   svg.text(kLeft, kTop + kHigh + 14, "start",
-           trf("{0} against {1}", unitText(Dimension::Force), tr(of.axis.empty() ? "depth" : of.axis.c_str())), kAxis);
+           trf("{0} against {1}", unitText(Dimension::Force), figureTitle(of.axis.empty() ? "depth" : of.axis)), kAxis);
   if (felt) svg.path(linePath(felt->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"felt\"");
   if (drawn) svg.path(linePath(drawn->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
   return "<figure class=\"curve\"><figcaption>" + escaped(title) +

@@ -1,4 +1,5 @@
-// Converts servo samples to touches (atoms, forces, path length) and to the HIP samples of an attempt. Window's thread.
+// Converts servo samples to touches (atoms, forces, path length) and to the HIP samples of an attempt. A touch is a
+// contact: a field acts on all atoms at once and is kept as the force of the HIP samples. Window's thread.
 // Units: second of use, angstrom, newton.
 #pragma once
 

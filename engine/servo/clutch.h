@@ -31,8 +31,8 @@ class Clutch {
   void forget() noexcept { restart(), turned_ = kNoRotation; }
 
   /// Returns the probe's position for a pose, in the device's space; it may lie outside the workspace. Non-finite
-  /// positions pass unchanged. `push` is the direction of the surface's force in the last tick (unit length, or zero):
-  /// at the edge the probe drifts along the surface or away from it, never deeper.
+  /// positions pass unchanged. `push` is the direction of the surface's force in the last tick (unit length, or zero).
+  /// At the edge the probe drifts along the surface or away from it, never deeper.
   PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, const Vec3& push,
                 double dt_s) noexcept {
     const Vec3& now = pose.position.mm;

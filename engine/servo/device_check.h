@@ -1,7 +1,7 @@
-// Checks a device held by a user: its positions at rest, a gentle pull, a wall to press on, every event that must
-// switch the force off, and injected loop faults. Each part is judged by the guarantees of docs/safety.md
-// (force_monitor.h). The check starts when the device is ready and asks before each part that moves it. Blocks the calling thread for a few
-// minutes. Units: millimetre, newton, second.
+// Checks a device held by a user: its positions at rest, a gentle pull, and a wall to press on. Also every event that
+// must switch the force off, and injected loop faults. Each part is judged by the guarantees of docs/safety.md
+// (force_monitor.h). The check starts when the device is ready and asks before each part that moves it. Blocks the
+// calling thread for a few minutes. Units: millimetre, newton, second.
 #pragma once
 
 #include <functional>

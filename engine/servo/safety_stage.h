@@ -98,9 +98,9 @@ class SafetyStage {
   LimitFlags acted() const noexcept { return acted_; }            ///< limits that acted in this tick
   double debt_J() const noexcept { return passivity_.debt_J(); }  ///< generated energy that is not dissipated yet
   double stiffnessBound_N_per_mm() const noexcept;                ///< with the recently measured delay
-  /// The bound of the rotational stiffness that a driven torque shows (unit: N mm per radian): that of the stiffness at
-  /// the end of the lever on which the peak force gives the peak torque, and of the device's rotational damping where it
-  /// is known. 0: not known, because the device drives no torque.
+  /// The bound of the rotational stiffness that a driven torque shows (unit: N mm per radian). It is the stiffness bound
+  /// at the end of the lever on which the peak force gives the peak torque. Where the device's rotational damping is
+  /// known, its bound applies too, if lower. 0: not known, because the device drives no torque.
   double rotationalBound_N_mm() const noexcept;
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 maximum temperature
 
@@ -150,9 +150,9 @@ class SafetyStage {
 /// The stationary stiffness for a requested one, with the delay of the device's published figures (unit: N/mm).
 double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept;
 
-/// The lever L of the rotational spring of a held body, k_r = k L^2 (unit: angstrom): the body's radius of gyration, or
-/// less where the device could not show the rotational stiffness K (L / A_per_mm)^2 of a spring of K. Where the bound is
-/// not known, because the device drives no torque, it is the radius of gyration.
+/// The lever L of the rotational spring of a held body, k_r = k L^2 (unit: angstrom). It is the body's radius of
+/// gyration, or less where the device could not show the rotational stiffness K (L / A_per_mm)^2 of a spring of K.
+/// Where the bound is not known, because the device drives no torque, it is the radius of gyration.
 double springLever_A(double gyration_A, double A_per_mm, double asked_N_per_mm, const DeviceSpecs& device) noexcept;
 
 }  // namespace moltact

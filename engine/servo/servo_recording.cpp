@@ -21,8 +21,8 @@ static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// Version 6 has no motion of spheres; version 5 has also no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
-// torque of devices; version 2 has also no initial state.
+// Version 6 has no motion of spheres. Version 5 has also no poses of bodies. Version 4 has also no torque per tick.
+// Version 3 has also no orientation, and no torque of devices. Version 2 has also no initial state.
 constexpr std::string_view kMagic = "MOLTRAC7", kBodyPosesMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5",
                            kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
                            kOldMagic = "MOLTRAC1";
@@ -55,6 +55,20 @@ std::string rangesText(const std::vector<std::uint32_t>& numbers) {
     i = last + 1;
   }
   return out;
+}
+
+// The reduction of a held body's radii, where it is not the default.
+constexpr const char* kOverlapLabel = "held-overlap-mA";
+constexpr double kMilliPerUnit = 1000.0;
+
+double overlapOf(const std::map<std::string, std::string>& labels) {
+  const auto found = labels.find(kOverlapLabel);
+  if (found == labels.end()) return kBodyOverlap_A;
+  int value = 0;
+  const char* const end = found->second.data() + found->second.size();
+  const auto read = std::from_chars(found->second.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end && value >= 0 && value <= 2000 ? value / kMilliPerUnit
+                                                                                  : kBodyOverlap_A;
 }
 
 // Parses ranges. Returns an empty list if the text is invalid or names a number that is not below `end`.
@@ -407,6 +421,8 @@ std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const He
   std::map<std::string, std::string> labels{{"balls", fingerprint(scene)}};
   if (scene.hasUntouchable()) labels["untouchable"] = rangesText(scene.untouchable());
   if (body) labels["held"] = rangesText(body->atoms);
+  if (body && body->overlap_A != kBodyOverlap_A)
+    labels[kOverlapLabel] = std::to_string(std::lround(body->overlap_A * kMilliPerUnit));
   return labels;
 }
 
@@ -416,7 +432,7 @@ RecordedScene recordedScene(const std::map<std::string, std::string>& labels, Sh
     return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, spheres.size());
   };
   RecordedScene out;
-  out.body = heldBody(spheres, listed("held"));
+  out.body = heldBody(spheres, listed("held"), overlapOf(labels));
   const std::vector<std::uint32_t> untouchable = listed("untouchable");
   out.spheres = std::make_shared<const SphereGrid>(std::move(spheres), untouchable);
   return out;

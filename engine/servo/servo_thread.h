@@ -1,6 +1,6 @@
-// The haptic thread: runs a servo loop (servo_loop.h) at 1000 ticks a second, with real-time priority if the system
-// allows it, or by the device's own clock if it has one. All public functions are for the owning thread (the window's).
-// Only the destructor, setDevice(), record() and endForce() block.
+// The haptic thread: runs a servo loop (servo_loop.h) at 1000 ticks a second, or by the device's own clock if it has
+// one. It has real-time priority if the system allows it. All public functions are for the owning thread (the
+// window's). Only the destructor, setDevice(), record() and endForce() block.
 #pragma once
 
 #include <atomic>

@@ -37,8 +37,8 @@ using ProteinStretch = std::vector<AminoAcidAtoms>;
 using NucleicStretch = std::vector<NucleotideAtoms>;
 
 /// Returns the stretches of all chains in file order. In proteins a gap is a distance between C and N of neighbours
-/// above 2.5 A (Kabsch & Sander 1983) or, if one of them is missing, between the CA above 5 A. In nucleic acids it is a
-/// distance between O3' and P above 2.5 A or, if one is missing, between the guides above 9 A.
+/// above 2.5 A (Kabsch & Sander 1983). If one of them is missing, it is one between the CA above 5 A. In nucleic acids
+/// it is a distance between O3' and P above 2.5 A or, if one is missing, between the guides above 9 A.
 std::vector<ProteinStretch> proteinBackbone(const Molecule& molecule);
 std::vector<NucleicStretch> nucleicBackbone(const Molecule& molecule);
 

@@ -13,8 +13,8 @@ namespace moltact {
 
 /// Returns all bonds once each, ordered by first, then second atom:
 /// * a file that lists its bonds (SDF, MOL): exactly these;
-/// * within the twenty amino acids and the eight nucleotides: the bonds of the formula with their orders, so that a clash
-///   in a poor structure creates none; between them the peptide bond, the phosphodiester bond and disulphides;
+/// * within the twenty amino acids and the eight nucleotides: the bonds of the formula with their orders, so that a
+/// clash in a poor structure creates none. Between residues: the peptide bond, the phosphodiester bond and disulphides;
 /// * otherwise: two atoms nearer than the sum of their covalent radii (Cordero et al., Dalton Trans. 2832, 2008) plus
 ///   0.45 A, of unknown order. A hydrogen has one bond, to the nearest atom of its residue. A bond
 ///   between a metal and another atom than hydrogen is a Coordination. Carbon and other metals bond to a metal of their

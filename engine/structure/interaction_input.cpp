@@ -57,6 +57,10 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
   return out;
 }
 
+std::shared_ptr<const HeldBody> heldBody(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+  return heldBody(molecule.spheres, atoms, molecule.body_overlap_A);
+}
+
 InteractionInput interactionInput(const TouchSetup& touch, const Molecule& molecule,
                                   std::shared_ptr<const SphereGrid> spheres, std::shared_ptr<const HeldBody> body) {
   InteractionInput out{.spheres = std::move(spheres),

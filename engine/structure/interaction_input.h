@@ -15,6 +15,10 @@ InteractionInput interactionInput(const TouchSetup& touch, const Molecule& molec
                                   std::shared_ptr<const SphereGrid> spheres,
                                   std::shared_ptr<const HeldBody> body = nullptr);
 
+/// The body of these atoms of the molecule, at the molecule's places; its radii are reduced as its table of radii requires.
+/// Null as for heldBody().
+std::shared_ptr<const HeldBody> heldBody(const Molecule& molecule, std::span<const std::uint32_t> atoms);
+
 /// The probe's atom in forces between atoms: the oxygen of water (TIP3P: Jorgensen et al., J. Chem. Phys. 79, 926, 1983),
 /// with this charge.
 PairAtom probeAtom(double charge_e);

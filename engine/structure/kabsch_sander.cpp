@@ -1,4 +1,4 @@
-// Helices and strands from the hydrogen bonds of the backbone, after Kabsch & Sander 1983, with the paper's names: the
+// Helices and strands from the hydrogen bonds of the backbone, after Kabsch & Sander 1983, with the paper's names. The
 // bond (donor, acceptor) leads from the N-H of one residue to the C=O of the other.
 #include <algorithm>
 #include <array>

@@ -24,8 +24,8 @@ inline constexpr std::size_t kMaxMapBytes = std::size_t(1) << 30;
 /// The largest amount of a value (unit: kcal/mol); AutoGrid's own limit is 1e5.
 inline constexpr double kMaxMapValue = 1e30;
 
-/// A Problem for a line that is not AutoGrid's, a spacing or a number of nodes outside of the limits of grid_map.h, a value
-/// that is not finite, and fewer or more values than the header says.
+/// Returns a Problem for a line that is not AutoGrid's, a value that is not finite, and fewer or more values than the
+/// header says. Also for a spacing or a number of nodes outside the limits of grid_map.h.
 Expected<MapFile> readMap(std::string_view text, const std::string& file);
 Expected<MapFile> readMapFile(const std::filesystem::path& file);
 

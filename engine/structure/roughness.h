@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-/// One factor per atom: 1 where the texture says nothing. Null for "none" and for an unknown name.
+/// One factor per atom: 1 where the texture has no value. Null for "none" and for an unknown name.
 std::shared_ptr<const Roughness> roughness(const Molecule& molecule, std::string_view texture);
 
 }  // namespace moltact

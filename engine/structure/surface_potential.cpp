@@ -77,8 +77,7 @@ class Part {
     double sum = 0.0;
     for (const Vec3& point : free) {
       PairTerms terms;
-      kernel_.slope(blocks.data(), int(blocks.size()), constants_,
-                    {float(point.x), float(point.y), float(point.z), 1.0f, 0.0f, 0.0f}, terms);
+      kernel_.slope(blocks.data(), int(blocks.size()), constants_, PairOwn({.charge_e = 1.0f}, point), terms);
       sum += terms.energy[EnergyPart::Electrostatic];
     }
     return float(sum / double(free.size()));

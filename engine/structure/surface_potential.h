@@ -12,7 +12,7 @@
 namespace moltact {
 
 /// For each atom, the mean potential on the part of its sphere, inflated by a water molecule, that no other inflated
-/// sphere covers: the energy of a charge of 1 e there, in the model of the forces between atoms (PairModel: their
+/// sphere covers. It is the energy of a charge of 1 e there, in the model of the forces between atoms (PairModel: their
 /// charges, medium and cut-off). NaN where the sphere is covered. `held` atoms (ascending) and the others are apart:
 /// neither covers nor charges the other.
 std::vector<float> surfacePotential_kcal_mol_e(const Molecule& molecule, const DielectricChoice& medium,

@@ -1,7 +1,7 @@
-// Puts the atoms of a molecule where a frame of a trajectory has them: selects them among the atoms of the frame, makes
-// molecules whole that the periodic cell cuts, and superposes the frame on the molecule, so that it does not drift away.
-// The result depends on the frame alone, not on those before it. Immutable; any thread except the haptic one. Unit:
-// angstrom.
+// Puts the atoms of a molecule where a frame of a trajectory has them. Selects them among the atoms of the frame, and
+// makes molecules whole that the periodic cell cuts. Superposes the frame on the molecule, so that it does not drift
+// away. The result depends on the frame alone, not on those before it. Immutable; any thread except the haptic one.
+// Unit: angstrom.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,7 @@ Expected<AtomPositions> FrameStore::placed(std::size_t frame) {
   if (!read) return read.problem();
   AtomPositions out = std::make_shared<const std::vector<Vec3>>(placer_.place(*read));
   const std::size_t each = out->size() * sizeof(Vec3),
-                    most = std::max(kFewest, kMost_bytes / std::max<std::size_t>(each, 1));
+                    most = std::max(kMinFrames, kMaxStored_bytes / std::max<std::size_t>(each, 1));
   while (order_.size() >= most) {
     kept_.erase(order_.front());
     order_.pop_front();

@@ -17,8 +17,8 @@ using AtomPositions = std::shared_ptr<const std::vector<Vec3>>;
 
 class FrameStore {
  public:
-  /// Limit on the memory of the kept frames (unit: byte). At least kFewest are kept.
-  static constexpr std::size_t kMost_bytes = std::size_t{96} << 20, kFewest = 4;
+  /// Limit on the memory of the kept frames (unit: byte). At least kMinFrames are kept.
+  static constexpr std::size_t kMaxStored_bytes = std::size_t{96} << 20, kMinFrames = 4;
 
   FrameStore(std::unique_ptr<TrajectoryFile> file, FramePlacer placer)
       : file_(std::move(file)), placer_(std::move(placer)) {}

@@ -1,6 +1,6 @@
-// The frames of a trajectory in a file, read one by one from the disk: DCD (CHARMM, NAMD), XTC and TRR (GROMACS), NetCDF
-// (AMBER convention, through its library, loaded when such a file is opened), the frames of a GRO file and the models of
-// a PDB or mmCIF file. One thread at a time, not the haptic one; the calls block on the disk. Units: angstrom,
+// The frames of a trajectory in a file, read one by one from the disk: DCD (CHARMM, NAMD), XTC and TRR (GROMACS), the
+// frames of a GRO file and the models of a PDB or mmCIF file. Also NetCDF (AMBER convention); its library is loaded
+// when such a file is opened. One thread at a time, not the haptic one; the calls block on the disk. Units: angstrom,
 // picosecond.
 //
 // Formats whose frames differ in size are searched for the beginnings of frames: openTrajectory finds the first one,

@@ -42,8 +42,8 @@ std::optional<double> carbonPush_pN(double overlap_A);
 /// At this overlap the force is 2 nN, of the order of the force that breaks a covalent bond.
 inline constexpr double kMaxOverlap_A = 1.0;
 
-/// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": the depth of a press with 1 N with a spring of
-/// `stiffness_N_per_mm`, and carbonPush_pN() at that depth; in words if that is empty.
+/// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there". The force is carbonPush_pN() at the depth of a press with
+/// 1 N on a spring of `stiffness_N_per_mm`. In words if that is empty.
 std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm);
 
 /// Explains that force and its limitations: three sentences, or one if there is no such force.

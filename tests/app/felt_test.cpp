@@ -73,7 +73,7 @@ struct Felt {
   }
   /// The one sample, still, for as long as it is looked at.
   void hold() {
-    driver->app().scene.play(shaded);
+    driver->app().scene.showSample(shaded);
     driver->frames(120);  // the state lines wait a moment before they change
   }
 };

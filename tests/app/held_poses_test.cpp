@@ -57,7 +57,7 @@ TEST_CASE(
   for (const double y : {0.5, 0.6, 0.4}) w.pressAt(0.5, y, 240);
   const std::vector<HeldPose>& list = w.poses().list();
   REQUIRE(list.size() >= 2);
-  CHECK(list.size() <= HeldPoses::kMost);
+  CHECK(list.size() <= HeldPoses::kMaxPoses);
   bench::DoubleSum sum = w.sum();
   const HeldBody& body = *w.scene().stage().body;
   const PoseGoal file(w.scene().stage().body, PoseA{body.middle});
@@ -83,7 +83,7 @@ TEST_CASE(
   for (int k = 0; k < 120 && !w.poses().minimum()->done; ++k) w.d->frames(1);
   const HeldPoses::Minimum found = *w.poses().minimum();
   REQUIRE(found.done);
-  CHECK(found.steps <= HeldPoses::kMostSteps);
+  CHECK(found.steps <= HeldPoses::kMaxSteps);
   bench::DoubleSum sum = w.sum();
   const PairEnergy from = sum.at(found.from.pose), to = sum.at(found.to.pose);
   CHECK(to.energy.total_kcal_mol() < from.energy.total_kcal_mol());

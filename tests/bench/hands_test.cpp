@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "engine/bench/felt.h"
-#include "engine/bench/hand_path.h"
+#include "engine/servo/hand_path.h"
 #include "engine/bench/hand_replay.h"
 #include "engine/bench/scenes.h"
 #include "engine/bench/touch_thresholds.h"

@@ -8,7 +8,7 @@
 
 #include "engine/platform/read_file.h"
 #include "tests/dynamics/networks.h"
-#include "tests/scratch_folder.h"
+#include "tests/molecule/files.h"
 
 using namespace moltact;
 
@@ -57,12 +57,12 @@ TEST_CASE(
 }
 
 TEST_CASE("a system of an unknown ending is refused with the endings that exist; beside a molecule the .xml is found") {
-  const test::ScratchFolder scratch;
+  const test::Scratch scratch;
   const Molecule molecule = test::libraryMolecule("alanine-dipeptide.pdb");
-  std::ofstream(scratch.path / "a.foo") << "system";
-  const auto none = simulationOf(scratch.path / "a.foo", molecule, {});
+  std::ofstream(scratch.folder / "a.foo") << "system";
+  const auto none = simulationOf(scratch.folder / "a.foo", molecule, {});
   REQUIRE_FALSE(none);
   CHECK(none.problem().file == "a.foo");
   CHECK(none.problem().remedy.find("OpenMM (.xml)") != std::string::npos);
-  CHECK(systemBeside(scratch.path / "a.pdb") == scratch.path / "a.xml");
+  CHECK(systemBeside(scratch.folder / "a.pdb") == scratch.folder / "a.xml");
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/bench/hand_path.h"
+#include "engine/servo/hand_path.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/playback_device.h"

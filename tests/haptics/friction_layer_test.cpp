@@ -164,16 +164,16 @@ TEST_CASE(
     deep(4);
     const Contact before = deep(1.6).contact;
     REQUIRE(felt->setMotion(motion->get()));
-    double apart_A = 0.0, force_A = 0.0;
+    double distance_A = 0.0, force_A = 0.0;
     for (int k = 1; k <= 100; ++k) {
       felt->advanceTo(k / 100.0);
       const Vec3 moved = way * (k / 100.0);
       const Contact c = at(*felt, Vec3(0.05, 0, 1.6) + (follows ? moved : Vec3(0.0))).contact;
-      apart_A = std::max(apart_A, glm::distance(c.scp.A, before.scp.A + moved));
+      distance_A = std::max(apart_A, glm::distance(c.scp.A, before.scp.A + moved));
       force_A =
           std::max(force_A, glm::distance(c.displacement_A, before.displacement_A + (follows ? Vec3(0.0) : moved)));
     }
-    CHECK(apart_A < 1e-6);
+    CHECK(distance_A < 1e-6);
     CHECK(force_A < 1e-6);
   }
 }

@@ -56,8 +56,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the largest sphere that passes the eyelet has 4.2 A: 4.1 A passes and 4.3 A does not; sugar of 3.6 A does") {
-  CAPTURE(lineSaying(kLesson, "The largest ball has 4.2 Å"));
-  CAPTURE(lineSaying(kLesson, "takes as much room as a ball of 3.6 Å"));
+  SAYS(lineSaying(kLesson, "The largest ball has 4.2 Å"));
+  SAYS(lineSaying(kLesson, "takes as much room as a ball of 3.6 Å"));
   const ShippedScene porin("2por");
   for (const double sphere_A : {1.0, 1.4, 3.0, 3.6, 4.1}) CHECK_MESSAGE(passesEyelet(porin, sphere_A), sphere_A);
   for (const double sphere_A : {4.3, 5.0, 7.0}) CHECK_MESSAGE(!passesEyelet(porin, sphere_A), sphere_A);
@@ -65,8 +65,8 @@ TEST_CASE("the largest sphere that passes the eyelet has 4.2 A: 4.1 A passes and
 
 TEST_CASE(
     "at the narrowest place a sphere of 4.1 A lies within 0.3 A of Asp 93, Asp 108, Arg 26 and a calcium ion at once") {
-  CAPTURE(lineSaying(kLesson, "it lies against Asp 93, Asp 108, Arg 26 and a calcium ion at once"));
-  CAPTURE(lineSaying(kLesson, "between arginine 26 on the one side and aspartates 93 and 108 on the other"));
+  SAYS(lineSaying(kLesson, "it lies against Asp 93, Asp 108, Arg 26 and a calcium ion at once"));
+  SAYS(lineSaying(kLesson, "between arginine 26 on the one side and aspartates 93 and 108 on the other"));
   const ShippedScene porin("2por");
   const Vec3 narrowest_A(0.54, -17.88, 24.0);
   const auto gapTo = [&](const Sphere& b) { return glm::distance(narrowest_A, b.centre_A) - b.radius_A - 4.1; };
@@ -82,9 +82,9 @@ TEST_CASE(
     "a sphere of 7 A gets into the barrel and rests about 9 A above the eyelet, on Glu 109, Asp 95 and Asp 96; the "
     "mouth "
     "is open to one of 8 A") {
-  CAPTURE(lineSaying(kLesson, "The eyelet is some 9 Å below you"));
-  CAPTURE(lineSaying(kLesson, "A ball of 7 Å is stopped by Glu 109, Asp 95 and Asp 96"));
-  CAPTURE(lineSaying(kLesson, "So wide is the mouth of the barrel"));
+  SAYS(lineSaying(kLesson, "The eyelet is some 9 Å below you"));
+  SAYS(lineSaying(kLesson, "A ball of 7 Å is stopped by Glu 109, Asp 95 and Asp 96"));
+  SAYS(lineSaying(kLesson, "So wide is the mouth of the barrel"));
   const ShippedScene porin("2por");
   const auto lowestOf = [&](double sphere_A) {
     RoomForASphere room(porin.spheres, sphere_A, {-12.0, -38.0, 20.0}, {22.0, -8.0, 68.0}, 0.25);
@@ -111,8 +111,8 @@ TEST_CASE(
 
 TEST_CASE(
     "in the middle between the three barrels, where a 1.4 A probe is stopped by Val 51, there is no way for water") {
-  CAPTURE(lineSaying(kLesson, "Along the axis between the three chains the narrowest place takes a ball of 0.7 Å"));
-  CAPTURE(lineSaying(kLesson, "called: the bottom of the hollow in the middle"));
+  SAYS(lineSaying(kLesson, "Along the axis between the three chains the narrowest place takes a ball of 0.7 Å"));
+  SAYS(lineSaying(kLesson, "called: the bottom of the hollow in the middle"));
   auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/2por.pdb", {.assembly = "1"});
   REQUIRE(molecule);
   const SphereGrid spheres(molecule->spheres);
@@ -131,8 +131,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the arginines 9, 24, 26 and lysine 46 stand on one side of the eyelet, six acids on the other") {
-  CAPTURE(lineSaying(kLesson, "Round the eyelet stand Arg 9, Arg 24, Arg 26 and Lys 46 on one side"));
-  CAPTURE(lineSaying(kLesson, "and Glu 80, Asp 93, Asp 95, Asp 101, Asp 108 and Glu 109 on the other"));
+  SAYS(lineSaying(kLesson, "Round the eyelet stand Arg 9, Arg 24, Arg 26 and Lys 46 on one side"));
+  SAYS(lineSaying(kLesson, "and Glu 80, Asp 93, Asp 95, Asp 101, Asp 108 and Glu 109 on the other"));
   const ShippedScene porin("2por");
   const auto middleOf = [&](const std::string& text) {
     Vec3 sum(0.0);
@@ -157,8 +157,8 @@ TEST_CASE("the arginines 9, 24, 26 and lysine 46 stand on one side of the eyelet
 }
 
 TEST_CASE("of the belt between 6 A and 30 A over two thirds are greasy and less than a tenth is charged; 16 strands") {
-  CAPTURE(lineSaying(kLesson, "more than two thirds belong to Ala, Val, Leu, Ile, Pro, Met, Phe and Trp"));
-  CAPTURE(lineSaying(kLesson, "Each barrel has 16 strands"));
+  SAYS(lineSaying(kLesson, "more than two thirds belong to Ala, Val, Leu, Ile, Pro, Met, Phe and Trp"));
+  SAYS(lineSaying(kLesson, "Each barrel has 16 strands"));
   const ShippedScene porin("2por");
   const auto shareOf = [&](const std::string& text) {
     double area = 0.0;
@@ -187,8 +187,8 @@ TEST_CASE(
     "spheres of the room that a molecule takes up in its crystal: glucose 3.6 A, sucrose 4.4 A, vancomycin 7.3 A") {
   CAPTURE(
       lineSaying(kLesson, "glucose 180 g/mol at 1.55 g/cm³ gives 3.6 Å, sucrose 342 g/mol at 1.59 g/cm³ gives 4.4 Å"));
-  CAPTURE(lineSaying(kLesson, "at 1.4 g/cm³ to 1.5 g/cm³ that is a ball of 7.3 Å"));
-  CAPTURE(lineSaying(kLesson, "Vancomycin is eight times as heavy as glucose"));
+  SAYS(lineSaying(kLesson, "at 1.4 g/cm³ to 1.5 g/cm³ that is a ball of 7.3 Å"));
+  SAYS(lineSaying(kLesson, "Vancomycin is eight times as heavy as glucose"));
   CHECK(radiusOfVolume_A(180.16, 1.55) == doctest::Approx(3.6).epsilon(0.01));
   CHECK(radiusOfVolume_A(342.30, 1.59) == doctest::Approx(4.4).epsilon(0.01));
   CHECK(radiusOfVolume_A(1449.3, 1.5) == doctest::Approx(7.3).epsilon(0.015));
@@ -199,7 +199,7 @@ TEST_CASE(
 TEST_CASE(
     "the largest sphere that the program leads through the ring has 3.9 A, and answers from 3.5 A count: what the grid "
     "finds, 4.2 A, lies 0.3 A above it") {
-  CAPTURE(lineSaying(kLesson, "finds 3.9 Å. It takes any answer that lies at most 0.4 Å below that"));
+  SAYS(lineSaying(kLesson, "finds 3.9 Å. It takes any answer that lies at most 0.4 Å below that"));
   const Lesson lesson = shippedLesson(kLesson);
   const ShippedScene porin("2por");
   const TaskSpec& spec = taskOf(lesson, "the-largest-ball-that-passes", "fit");
@@ -216,7 +216,7 @@ TEST_CASE("the twelve atoms of the belt are felt on greasy amino acids of which 
   const Lesson lesson = shippedLesson(kLesson);
   const ShippedScene porin("2por");
   const std::string belt = taskOf(lesson, "what-holds-a-barrel-in-an-oily-wall", "feel").values["of"].selection.text();
-  CAPTURE(lineSaying(kLesson, "highlight: " + belt));
+  SAYS(lineSaying(kLesson, "highlight: " + belt));
   const auto atoms = porin.select(belt), greasy = porin.select("(" + belt + ") and hydrophobic");
   CHECK(atoms.size() == greasy.size());
   std::size_t open = 0;

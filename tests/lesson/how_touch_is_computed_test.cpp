@@ -245,7 +245,7 @@ TEST_CASE("in the lesson's crease the grid of 0.8 A is off by 0.03 A, the one of
   const LessonReading read = readLesson(kLesson);
   REQUIRE(read.lesson);
   const Step& step = stepOf(*read.lesson, "a-grid-rounds-the-crease");
-  CAPTURE(lineSaying("how-touch-is-computed", "until the contact point lies 0.03 Å or more off the true one"));
+  SAYS(lineSaying("how-touch-is-computed", "until the contact point lies 0.03 Å or more off the true one"));
   CHECK(step.scene.touch.method == "grid08");
   // Radius of the circle where the grown spheres meet; the pair lies along x.
   const double circle_A = std::sqrt(std::pow(1.88 + 1.4, 2) - 1.88 * 1.88);
@@ -286,7 +286,7 @@ TEST_CASE("the lesson calls the methods and the plot of turns what the panel cal
 TEST_CASE(
     "the key comes out of its lock by a free path; of 400 000 poses within 0.5 A of its place those that are free are "
     "turned by less than 25 degrees") {
-  CAPTURE(lineSaying("how-touch-is-computed", "fits there in one orientation only, within 25°"));
+  SAYS(lineSaying("how-touch-is-computed", "fits there in one orientation only, within 25°"));
   const moltact::test::ShippedScene s("key-and-lock");
   const std::vector<std::uint32_t> key = s.select("chain B");
   const auto body = heldBody(s.molecule->spheres, key);

@@ -22,7 +22,7 @@ TEST_CASE(
 TEST_CASE(
     "the axis of the lower water makes 57 degrees with the line of the oxygens, and its hydrogens lean away from the "
     "free one of the other") {
-  CAPTURE(lineSaying("hydrogen-bonds", "oxygens 2.976 Å apart, the lower molecule's axis at 57°"));
+  SAYS(lineSaying("hydrogen-bonds", "oxygens 2.976 Å apart, the lower molecule's axis at 57°"));
   const ShippedScene s("water-and-argon");
   const std::string giver = "chain A and residue 1 and name O", taker = "chain A and residue 2 and name O";
   const Vec3 o = s.atom(taker).position.A, line = o - s.atom(giver).position.A,

@@ -64,7 +64,7 @@ TEST_CASE("'charges: file' on a molecule whose file has no charges is an error a
   };
   CHECK(errors(scene("file")) ==
         std::vector<std::string>{"l.md:12:10: the file of 'mix' has no partial charges; write 'charges: formal', or "
-                                 "give the molecule as a PQR, MOL2 or PDBQT file"});
+                                 "give the molecule as a file with charges (.mol2 .pqr .pdbqt)"});
   CHECK(errors(scene("formal")).empty());
   CHECK(errors(scene("none")).empty());
   CHECK(errors(scene("guess")).size() == 1);

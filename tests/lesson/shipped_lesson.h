@@ -72,6 +72,13 @@ inline std::string linesSaying(const std::string& lesson, std::initializer_list<
   return out;
 }
 
+// doctest evaluates what it captures only when a check fails, and then the search would not run. SAYS searches at once.
+#define MOLTACT_SAYS(place, ...)           \
+  const std::string place = (__VA_ARGS__); \
+  CAPTURE(place)
+/// SAYS(lineSaying(lesson, words)): the lesson must say this; the line is shown with every failed check that follows.
+#define SAYS(...) MOLTACT_SAYS(DOCTEST_ANONYMOUS(said_), __VA_ARGS__)
+
 /// The number of touch tasks of this kind in a lesson.
 inline int tasksOf(const Lesson& lesson, std::string_view kind) {
   int n = 0;

@@ -42,7 +42,7 @@ TEST_CASE(
 }
 
 TEST_CASE("oleic acid alone is bent, by 76 degrees") {
-  CAPTURE(lineSaying(kFats, "which bends it by 76°"));
+  SAYS(lineSaying(kFats, "which bends it by 76°"));
   const ShippedScene oleic("stearic-oleic"), elaidic("stearic-elaidic");
   CHECK(bend_deg(oleic, 'A') < 0.5);
   CHECK(bend_deg(elaidic, 'B') < 0.5);

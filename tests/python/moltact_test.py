@@ -30,6 +30,14 @@ class Molecules(unittest.TestCase):
         self.assertEqual(molecule.describe(-1), molecule.describe(601))
         self.assertGreater(len(moltact.load(SOURCE / "molecules" / "1ubq.pdb", waters=True)), 602)
 
+    def test_the_table_of_radii_gives_carbon_1_70_or_1_77_angstrom(self):
+        self.assertEqual(moltact.radius_tables()[0], "bondi")
+        for table, carbon in (("bondi", 1.70), ("alvarez", 1.77)):
+            molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb", radii=table)
+            self.assertEqual(molecule.radii[molecule.elements.index("C")], carbon)
+        with self.assertRaisesRegex(ValueError, "radii must be"):
+            moltact.load(SOURCE / "molecules" / "argon.pdb", radii="none")
+
     def test_a_file_that_is_absent_or_of_no_format_raises_with_its_name_and_a_remedy(self):
         with self.assertRaisesRegex(moltact.MoleculeError, "absent.pdb: there is no such file; check the name"):
             moltact.load("absent.pdb")

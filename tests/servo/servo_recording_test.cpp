@@ -435,6 +435,43 @@ TEST_CASE(
   std::filesystem::remove(file);
 }
 
+TEST_CASE(
+    "every touch setting that needs no rebuild, changed alone, passes through the servo settings and through a "
+    "recording "
+    "unchanged") {
+  const auto file = scratch("live");
+  for (const TouchProperty& p : touchProperties()) {
+    if (p.requires_rebuild) continue;
+    CAPTURE(std::string(p.key));
+    TouchSetup touch;
+    if (const auto* number = std::get_if<double TouchSetup::*>(&p.member))
+      touch.** number = 0.25 * p.in_scenes.min + 0.75 * p.in_scenes.max;
+    else if (const auto* flag = std::get_if<bool TouchSetup::*>(&p.member))
+      touch.** flag = !(touch.**flag);
+    else
+      FAIL("a text cannot be followed within a tick");
+    REQUIRE_FALSE(touchValue(touch, p) == touchValue(TouchSetup(), p));
+    RecordedTick tick;
+    tick.settings.take(touch);
+    TouchSetup back;
+    tick.settings.giveTo(back);
+    CHECK(touchValue(back, p) == touchValue(touch, p));
+    ServoStep step;
+    auto writer = ServoRecordingWriter::create(file, true);
+    REQUIRE(writer);
+    REQUIRE_FALSE(writer->begin({}, step));
+    REQUIRE_FALSE(writer->add(tick));
+    REQUIRE_FALSE(writer->finish());
+    const auto recording = readServoRecording(file);
+    REQUIRE(recording);
+    REQUIRE(recording->ticks.size() == 1);
+    TouchSetup recorded;
+    recording->ticks[0].settings.giveTo(recorded);
+    CHECK(touchValue(recorded, p) == touchValue(touch, p));
+  }
+  std::filesystem::remove(file);
+}
+
 TEST_CASE("a full disk is reported in the first tick that it does not take, not at the end") {
   auto writer = ServoRecordingWriter::create("/dev/full", true);
   REQUIRE(writer);

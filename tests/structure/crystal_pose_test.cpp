@@ -6,6 +6,7 @@
 
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/field/minimise_pose.h"
+#include "engine/molecule/radius_tables.h"
 #include "engine/structure/interaction_input.h"
 #include "tests/structure/library.h"
 
@@ -25,6 +26,32 @@ double rmsd_A(const HeldBody& body, const Molecule& m, const PoseA& pose) {
 }
 
 }  // namespace
+
+TEST_CASE(
+    "with each table of radii amprenavir in the crystal overlaps its protease by what the table says, within 0.005 A, "
+    "and as a held body by nothing") {
+  for (const RadiusTable& table : radiusTables()) {
+    CAPTURE(std::string(table.word.name));
+    const Molecule m = test::libraryMolecule("1hpv.pdb", {.radii = std::string(table.word.name)});
+    std::vector<std::uint32_t> ligand;
+    for (std::uint32_t i = 0; i < m.atoms.size(); ++i)
+      if (m.residues[m.atoms[i].residue].name == "478") ligand.push_back(i);
+    const auto body = heldBody(m, ligand);
+    REQUIRE(body);
+    CHECK(body->overlap_A == table.body_overlap_A);
+    double most_A = -1.0, as_body_A = -1.0;
+    for (std::size_t k = 0; k < ligand.size(); ++k)
+      for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
+        if (m.residues[m.atoms[i].residue].name == "478") continue;
+        const Sphere &a = m.spheres[ligand[k]], &b = m.spheres[i];
+        const double apart_A = glm::distance(a.centre_A, b.centre_A);
+        most_A = std::max(most_A, a.radius_A + b.radius_A - apart_A);
+        as_body_A = std::max(as_body_A, body->spheres[k].radius_A + b.radius_A - apart_A);
+      }
+    CHECK(std::abs(most_A - table.ligand_overlap_A) < 0.005);
+    CHECK(as_body_A < 0.0);
+  }
+}
 
 TEST_CASE(
     "amprenavir in 1HPV, minimised from the crystal's pose, stays within 1 A of it in all three dielectrics, and comes "

@@ -28,8 +28,8 @@ class Opener {
   virtual void comeCloseTo(PointA place) = 0;
   /// Restarts the scene as if its molecule had just been opened. With `before`, that point is rotated to the front and
   /// the hand begins there. With `turned`, the molecule is rotated (the screen's axes in the molecule's). The atoms
-  /// `removed` (ascending) are not felt until the next call, in addition to those of the scene; the hand holds
-  /// `in_hand` (ascending) instead of what the scene puts into it, unless that is empty.
+  /// `removed` (ascending) are not felt until the next call, in addition to those of the scene. If `in_hand`
+  /// (ascending) is not empty, the hand holds it instead of what the scene puts into it.
   virtual void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {},
                                const std::vector<std::uint32_t>& removed = {},
                                const std::vector<std::uint32_t>& in_hand = {}) = 0;

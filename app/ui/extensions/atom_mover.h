@@ -48,10 +48,10 @@ class AtomMover : public Extension {
   /// Whether the atoms are on the way. Positions on the way are recorded at most five times a second, the last one in
   /// any case.
   virtual bool moving() const = 0;
-  /// For a playback: moves the atoms at once to a recorded position, in this or a later call, if it is not there yet. It
-  /// is called in each frame. `file` is the file named by the position, found on this computer, with the reading options
-  /// of the molecule on the stage; its path is empty if the position names none. `source` moves the atoms and owns them
-  /// until it is released. A position out of range is clamped.
+  /// For a playback: moves the atoms at once to a recorded position, in this or a later call, if it is not there yet.
+  /// It is called in each frame. `file` is the file named by the position, found on this computer, with the reading
+  /// options of the current molecule. Its path is empty if the position names none. `source` moves the atoms and owns
+  /// them until it is released. A position out of range is clamped.
   virtual void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) = 0;
 
   /// Ends a motion that the user started, because another mover was chosen; the atoms return to their places. A motion of

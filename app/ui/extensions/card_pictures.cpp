@@ -22,6 +22,7 @@
 #include "engine/platform/read_file.h"
 #include "engine/render/gl.h"
 #include "engine/render/renderer.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -87,7 +88,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
     scene.camera.fit(part->centre, part->radius_A, aspect);
   scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
-  if (spec.in_hand.given()) scene.body = heldBody(scene.molecule->spheres, heldAtoms(spec, *scene.molecule));
+  if (spec.in_hand.given()) scene.body = heldBody(*scene.molecule, heldAtoms(spec, *scene.molecule));
   scene.hip = restingPlace(spheres, scene.camera, scene.body ? scene.body->reach_A : spec.touch.probe_A);
   return scene;
 }

@@ -68,7 +68,7 @@ void DeviceLink::openWished() {
   if (name == "mouse" || name == chosen_) {
     opening_title_.clear();
     if (name == "mouse") use(name, nullptr);
-    settled(opened_for_);
+    finished(opened_for_);
     return;
   }
   unwanted_ = false;
@@ -91,10 +91,10 @@ void DeviceLink::finishOpening() {
     hardware_ = result.hardware;
     if (result.found && !result.found->note.empty()) messages_.notice(result.found->note);
   }
-  settled(opened_for_);
+  finished(opened_for_);
 }
 
-void DeviceLink::settled(const Wish& wish) {
+void DeviceLink::finished(const Wish& wish) {
   if (wish.purpose == For::Awaited)
     messages_.notice(trf("{0} is there and leads.", tr(scene_.servo().loop().device()->info().name.c_str())));
   await("", "");

@@ -113,7 +113,7 @@ class DeviceLink : public Extension {
   void wish(const std::string& name, For purpose);
   void openWished();
   void finishOpening();
-  void settled(const Wish& wish);
+  void finished(const Wish& wish);
   void failed(const Wish& wish, const PendingDeviceOpen::Opened& result);
   void use(const std::string& name, std::unique_ptr<Device> device);
   void taken(const std::string& name);

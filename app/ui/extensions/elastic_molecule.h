@@ -1,4 +1,4 @@
-// A molecule that gives way: an elastic network (engine/dynamics) takes the impulses of the hand's contacts and moves the
+// A molecule that yields: an elastic network (engine/dynamics) takes the impulses of the hand's contacts and moves the
 // atoms, in steps of kStep_ticks that the servo loop follows. Modes of the network can be shown as movements, and the
 // response restricted to some of them. Window's thread; network and modes are computed on a background thread.
 #pragma once
@@ -48,11 +48,11 @@ class ElasticMolecule : public AtomMover {
   bool moving() const override { return motion_ && !resting_; }
   void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
 
-  /// Whether the molecule gives way.
+  /// Whether the molecule yields.
   bool on() const { return on_; }
   void turn(bool on);
   void end() override { turn(false); }
-  /// Why the molecule cannot give way in this scene, as a sentence; empty if it can.
+  /// Why the molecule cannot yield in this scene, as a sentence; empty if it can.
   std::string unavailable() const;
   bool computing() const { return reading_.busy(); }
   const std::string& problem() const { return problem_; }
@@ -61,7 +61,7 @@ class ElasticMolecule : public AtomMover {
 
   double energy_kcal_mol() const { return motion_ ? motion_->energy_kcal_mol() : 0.0; }
   double maxDisplacement_A() const { return motion_ ? motion_->maxDisplacement_A() : 0.0; }
-  /// The chosen mode; whether it is shown as a movement, and whether the molecule gives way in it alone.
+  /// The chosen mode; whether it is shown as a movement, and whether the molecule yields in it alone.
   std::size_t mode() const { return mode_; }
   bool modeShown() const { return shown_; }
   bool modeAlone() const { return alone_; }

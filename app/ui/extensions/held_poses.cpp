@@ -18,7 +18,7 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kMinimisedPairsOfFrame = 400'000;  // of a minimisation: about two milliseconds
-constexpr int kMostStepsOfFrame = 20;
+constexpr int kMaxStepsOfFrame = 20;
 
 const TaskSpec* taskWithPose(const LessonGuide& lesson) {
   const LessonSession* session = lesson.session();
@@ -106,13 +106,13 @@ void HeldPoses::beforeTicks() {
   if (!computing_) return;
   PoseMinimiser& run = computing_->minimiser;
   const std::size_t pairs = std::max<std::size_t>(1, computing_->sum.listedPairs());
-  const int steps = std::clamp(int(kMinimisedPairsOfFrame / pairs), 1, kMostStepsOfFrame);
-  for (int k = 0; k < steps && !run.converged() && run.steps() < kMostSteps; ++k) run.step();
+  const int steps = std::clamp(int(kMinimisedPairsOfFrame / pairs), 1, kMaxStepsOfFrame);
+  for (int k = 0; k < steps && !run.converged() && run.steps() < kMaxSteps; ++k) run.step();
   minimum_->to.pose = run.pose();
   minimum_->to.energy = run.energy().energy;
   minimum_->steps = run.steps();
   minimum_->converged = run.converged();
-  minimum_->done = run.converged() || run.steps() >= kMostSteps;
+  minimum_->done = run.converged() || run.steps() >= kMaxSteps;
   if (minimum_->done) computing_.reset();
 }
 
@@ -148,7 +148,7 @@ void HeldPoses::record(const ServoSample& sample) {
     *last = found;
     return;
   }
-  if (of_hand >= kMost) {
+  if (of_hand >= kMaxPoses) {
     const auto oldest = std::find_if(all.begin(), all.end(), [](const HeldPose& p) { return !p.minimised; });
     const auto index = std::size_t(oldest - all.begin());
     all.erase(oldest);
@@ -180,7 +180,7 @@ void HeldPoses::addMinimum() {
   if (!on() || taskOpen() || !minimum_ || !minimum_->done || minimum_->listed) return;
   std::vector<HeldPose>& all = lists_[forces()];
   const auto of_minima = std::count_if(all.begin(), all.end(), [](const HeldPose& p) { return p.minimised; });
-  if (std::size_t(of_minima) >= kMost)
+  if (std::size_t(of_minima) >= kMaxPoses)
     all.erase(std::find_if(all.begin(), all.end(), [](const HeldPose& p) { return p.minimised; }));
   all.push_back(minimum_->to);
   minimum_->listed = true;

@@ -32,21 +32,21 @@ double rmsdBetween_A(const HeldBody& body, const PoseA& one, const PoseA& other)
 
 class HeldPoses final : public Extension {
  public:
-  /// From the first press on, a pose is recorded after the body has been at rest for kQuiet_ticks, if its energy is negative and at least kGain
-  /// below that of every recorded one. One within kSame_A of the last recorded pose replaces it. Of more than kMost poses
-  /// of the hand the oldest is dropped.
+  /// From the first press on, a pose is recorded after the body has been at rest for kQuiet_ticks. Its energy must be
+  /// negative and at least kGain below that of every recorded one. One within kSame_A of the last recorded pose
+  /// replaces it. Of more than kMaxPoses poses of the hand the oldest is dropped.
   static constexpr double kGain_kcal_mol = 0.1, kSame_A = 0.5, kMoved_A = 0.05;
   static constexpr int kQuiet_ticks = 100;
-  static constexpr std::size_t kMost = 12;
+  static constexpr std::size_t kMaxPoses = 12;
   /// Of a minimisation.
-  static constexpr int kMostSteps = 400;
+  static constexpr int kMaxSteps = 400;
 
   /// The energy minimum below a pose.
   struct Minimum {
     HeldPose from, to;
     int steps = 0;
     bool done = false;       ///< else it is being computed
-    bool converged = false;  ///< else kMostSteps were taken
+    bool converged = false;  ///< else kMaxSteps were taken
     bool listed = false;
   };
 

@@ -80,7 +80,7 @@ void Playback::close(bool back) {
   if (!on()) return;
   timeline_.reset();
   running_ = false;
-  scene_.play(std::nullopt);
+  scene_.showSample(std::nullopt);
   body_.release();
   motion_.release();
   recorder_.pause(false);
@@ -215,7 +215,7 @@ void Playback::showHand() {
     sample.probe_A = stage->touch.probe_A;
     sample.time_s = at_s_;
   }
-  scene_.play(sample);
+  scene_.showSample(sample);
 }
 
 void Playback::showView() {

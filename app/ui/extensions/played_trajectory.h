@@ -132,7 +132,7 @@ class PlayedTrajectory : public AtomMover {
   int direction_ = 1;
   bool running_ = false, started_ = false;
   std::optional<double> seek_;
-  std::optional<double> shown_;  // where a playback wants the atoms
+  std::optional<double> shown_;  // the position that a playback requests
   std::size_t smoothing_ = 0;
   std::shared_ptr<const Molecule> begins_;  // its atoms at the first frame of a lesson's scene
 };

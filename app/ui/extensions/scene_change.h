@@ -14,8 +14,8 @@ class ViewPicture;
 
 struct Molecule;
 
-/// The camera at the share `t` (0 to 1) of the way from `a` to `b`: the target moves on a straight line, the rotation
-/// takes the shorter way, the distance changes exponentially.
+/// The camera at the fraction `t` (0 to 1) of the path from `a` to `b`. The target moves on a straight line, the
+/// rotation takes the shorter arc, the distance changes exponentially.
 Camera between(const Camera& a, const Camera& b, double t);
 
 class SceneChange : public Extension {

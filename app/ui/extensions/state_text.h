@@ -1,6 +1,6 @@
-// The contact in words, for users who cannot see the view well: a line in the window that changes at a readable pace,
-// and lines in a terminal or file for speech output. To a screen reader the window is only a picture; printed text
-// works with each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
+// The contact in words, for users who cannot see the view well. A line in the window changes at a readable pace; lines
+// in a terminal or file are for speech output. To a screen reader the window is only a picture; printed text works with
+// each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Traces of the touch in the picture: painted atoms if the scene requests it, and the probe's path after the molecule
-// was felt unseen. Window's thread.
+// was felt unseen. Contact alone paints, because a field acts on all atoms at once. Window's thread.
 #pragma once
 
 #include <memory>

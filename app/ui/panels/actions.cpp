@@ -436,8 +436,21 @@ const char* menuName(Menu menu) {
 const char* menuLabel(Menu menu) { return trc("menu", menuName(menu)); }
 
 char menuLetter(Menu menu) {
-  const auto letter = static_cast<unsigned char>(*menuLabel(menu));
-  return letter < 128 && std::isalpha(letter) ? char(std::toupper(letter)) : *menuName(menu);
+  // In order, each menu takes the first letter of its label that no earlier menu has taken; without a free one, the first
+  // free letter of the alphabet.
+  std::string taken;
+  for (int k = 0; k <= int(menu); ++k) {
+    char letter = 0;
+    const std::string label = std::string(menuLabel(Menu(k))) + menuName(Menu(k)) + "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    for (const char c : label) {
+      const auto byte = static_cast<unsigned char>(c);
+      if (letter || byte >= 128 || !std::isalpha(byte)) continue;
+      const char upper = char(std::toupper(byte));
+      if (taken.find(upper) == std::string::npos) letter = upper;
+    }
+    taken += letter;
+  }
+  return taken.back();
 }
 
 std::span<const Action> allActions() { return kActions; }

@@ -1,5 +1,5 @@
-// View > Device: the list of devices; for the one in use its live state, calibration, a gentle test force, the limits
-// in force, the timing of the loop and the meaning of the scale.
+// View > Device: the list of devices. For the one in use: live state, calibration, a gentle test force, the limits in
+// force, the timing of the loop and the meaning of the scale.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

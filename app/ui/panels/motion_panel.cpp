@@ -1,5 +1,5 @@
-// A tab beside the view, on request: whether the molecule gives way to the hand as an elastic network, and the network's
-// modes, each shown as a movement or felt alone.
+// A tab beside the view, on request. It switches whether the molecule yields to the hand as an elastic network, and
+// lists the network's modes, each shown as a movement or felt alone.
 #include <imgui.h>
 
 #include <algorithm>

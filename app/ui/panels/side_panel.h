@@ -1,6 +1,6 @@
-// The panel beside the view and its tabs. A tab is one file in this room, which defines draw<Name>Tab(Application&), and
-// one row of the table below; title, menu item and shortcut are made from the row. SideTabs (app/ui/application/side_tabs.h)
-// stores which tabs are open. Window's thread.
+// The panel beside the view and its tabs. A tab is one file in this folder, which defines draw<Name>Tab(Application&),
+// and one row of the table below. Title, menu item and shortcut are made from the row. SideTabs
+// (app/ui/application/side_tabs.h) stores which tabs are open. Window's thread.
 #pragma once
 
 #include <span>

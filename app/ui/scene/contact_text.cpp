@@ -50,7 +50,8 @@ std::string touchedText(const Molecule& molecule, const Contact& contact, bool b
 std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on, bool body) {
   if (!molecule) return tr("no molecule");
   if (contact.fault == Fault::StartedInside)
-    return tr("You are inside the molecule: come out once to feel its surface");
+    return body ? tr("What you hold overlaps the molecule: draw it out once to feel it again")
+                : tr("You are inside the molecule: come out once to feel its surface");
   if (contact.fault == Fault::NotFinite) return tr("the device gives no sound position: no force");
   if (!contact.touching()) return tr("not touching");
   return touchingText(touchedText(*molecule, contact, body), force_N, force_on);
@@ -71,8 +72,10 @@ std::string touchingText(const std::string& touched, double force_N, bool force_
                   : trf("touching: {0}, force is off", touched);
 }
 
-std::string unnamedContactText(const Contact& contact, bool felt) {
-  if (contact.fault == Fault::StartedInside) return tr("You are inside the molecule. Draw back until you are outside.");
+std::string unnamedContactText(const Contact& contact, bool felt, bool body) {
+  if (contact.fault == Fault::StartedInside)
+    return body ? tr("What you hold overlaps the molecule. Draw it out until it is free.")
+                : tr("You are inside the molecule. Draw back until you are outside.");
   if (contact.touching()) return tr("touching");
   return felt ? tr("a force is felt") : tr("not touching");
 }

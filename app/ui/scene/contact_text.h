@@ -26,7 +26,7 @@ std::string touchingText(const std::string& touched, double force_N, bool force_
 
 /// The contact without its atoms, for tasks that ask what is touched: "touching", "not touching"; "a force is felt" if
 /// only a field acts (`felt`).
-std::string unnamedContactText(const Contact& contact, bool felt = false);
+std::string unnamedContactText(const Contact& contact, bool felt = false, bool body = false);
 
 /// The direction of the reaction on the hand as seen in the view, from a unit vector in the camera's axes (x right, y
 /// up, z toward the viewer): "pushed toward you", "pushed up and to the left".

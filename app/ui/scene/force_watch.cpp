@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeast_kcal_mol = 0.05;        // a smaller energy rounds to zero on the screen
+constexpr double kMinShown_kcal_mol = 0.05;     // a smaller energy rounds to zero on the screen
 constexpr std::size_t kPairsOfFrame = 400'000;  // a sum over more pairs is spread: it is computed in fewer frames
 
 }  // namespace
@@ -61,7 +61,7 @@ void ForceWatch::follow(const ServoSample& now, const AtomList& hidden) {
   for (const EnergyShare& one : shares_->held()) highest_ = std::max(highest_.value_or(-1e300), one.total_kcal_mol());
   residues_.assign(shares_->groups().begin(), shares_->groups().end());
   std::erase_if(residues_, [&](const EnergyShare& r) {
-    if (r.index == kNoResidue || !(std::abs(r.total_kcal_mol()) >= kLeast_kcal_mol)) return true;
+    if (r.index == kNoResidue || !(std::abs(r.total_kcal_mol()) >= kMinShown_kcal_mol)) return true;
     const Residue& residue = stage_.molecule->residues[r.index];
     for (std::uint32_t a = residue.first_atom; a < residue.first_atom + residue.atom_count; ++a)
       if (isDrawn(a)) return false;

@@ -1,6 +1,6 @@
-// The forces between what the hand holds and the molecule, by parts, for the picture: the energies of residues, that of
-// the held atom with the highest energy, hydrogen bonds and clashes. Computed from the pose of the newest tick, once per
-// frame at most and less often for a large body. Window's thread. Units: angstrom, kcal/mol.
+// The forces between what the hand holds and the molecule, by parts, for the picture. These are the energies of
+// residues, that of the held atom with the highest energy, hydrogen bonds and clashes. Computed from the pose of the
+// newest tick, once per frame at most and less often for a large body. Window's thread. Units: angstrom, kcal/mol.
 #pragma once
 
 #include <memory>

@@ -33,8 +33,8 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
   letGo();
   atoms_.begin(std::move(next));
   molecule_ = molecule;
-  made_with_.interaction = wanted_interaction_;
-  made_with_ = resolveInteraction(made_with_, stage().body != nullptr);
+  constructed_with_.interaction = wanted_interaction_;
+  constructed_with_ = resolveInteraction(constructed_with_, stage().body != nullptr);
   servo_settings.workspace = stage().workspace;
   log_.clear();
   watch_.begin(stage(), touch());
@@ -60,7 +60,7 @@ std::unique_ptr<Interaction> HapticSession::freshInteraction() {
   return nullptr;
 }
 
-void HapticSession::play(const std::optional<ServoSample>& sample) {
+void HapticSession::showSample(const std::optional<ServoSample>& sample) {
   const bool was = playing();
   played_.show(sample);
   if (was == playing()) return;
@@ -70,8 +70,8 @@ void HapticSession::play(const std::optional<ServoSample>& sample) {
   servo_.begin(effectiveSettings(false), freshInteraction());
 }
 
-// The settings for the servo loop: those of the panels, but without force while the scene is not visible or a hand is
-// played; during a force trial those of the trial.
+// The settings for the servo loop: those of the panels, or during a force trial those of the trial. There is no force
+// while the scene is not visible or a hand is played.
 ServoSettings HapticSession::effectiveSettings(bool trying) const {
   if (trying) return ForceTrial::settings(servo_settings);
   ServoSettings out = servo_settings;
@@ -227,7 +227,7 @@ void HapticSession::handBegins(PointA before) {
 }
 
 TouchSetup HapticSession::touch() const {
-  TouchSetup out = made_with_;
+  TouchSetup out = constructed_with_;
   servo_settings.giveTo(out);
   return out;
 }
@@ -235,13 +235,14 @@ TouchSetup HapticSession::touch() const {
 void HapticSession::setTouch(const TouchSetup& wanted) {
   TouchSetup next = wanted;
   const Method* method = findMethod(next.method);
-  next.method = method ? method->name : made_with_.method;
-  if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
+  next.method = method ? method->name : constructed_with_.method;
+  if (!findInteractionKind(next.interaction)) next.interaction = constructed_with_.interaction;
   wanted_interaction_ = next.interaction;
   next = resolveInteraction(std::move(next), stage().body != nullptr);
-  const bool alike = sameConstruction(next, made_with_), other_medium = next.dielectric != made_with_.dielectric;
+  const bool alike = sameConstruction(next, constructed_with_),
+             other_medium = next.dielectric != constructed_with_.dielectric;
   servo_settings.take(next);
-  made_with_ = std::move(next);
+  constructed_with_ = std::move(next);
   watch_.feelWith(touch());
   if (!alike) rebuildInteraction();
   if (other_medium && stage() && look.colouring && look.colouring->scheme == "potential")
@@ -330,7 +331,7 @@ bool HapticSession::placeAtoms(const MotionSource& source, SharedArray<Sphere> a
 }
 
 FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
-  const Method& m = *findMethod(made_with_.method);
+  const Method& m = *findMethod(constructed_with_.method);
   const PointA hand_before = log_.latest().hip;
   felt_.clear();
   const std::vector<ServoSample>& ticks = servo_.advance(dt_s);

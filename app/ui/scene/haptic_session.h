@@ -61,7 +61,7 @@ class HapticSession {
   const ServoLink& servo() const { return servo_; }
   /// The rendering parameters in use.
   TouchSetup touch() const;
-  const std::string& method() const { return made_with_.method; }
+  const std::string& method() const { return constructed_with_.method; }
   const TouchLog& log() const { return log_; }
   /// The contacts of the body in the hand at the last advance(); empty without a body.
   const LoadedAtoms& bodyContacts() const { return body_contacts_; }
@@ -78,7 +78,7 @@ class HapticSession {
   /// The same, with a point rotated to the front and into the middle of the view; the hand begins in front of it.
   void beginAgainAt(PointA place);
   /// The same, with the hand at a pose of the body that it holds. A mouse's hand waits there for the next press, in the
-  /// present view, and the body gives way to what acts on it there. A device's hand stays where it is: the view turns, and
+  /// present view, and the body yields to what acts on it there. A device's hand stays where it is: the view turns, and
   /// the scene moves in the device's workspace, so that the hand has this pose in the molecule.
   void holdAt(const PoseA& body);
   /// The placement of the scene in the hand's workspace.
@@ -149,7 +149,7 @@ class HapticSession {
 
   /// Shows a sample instead of the hand's: the log contains it, there is no force, and advance() returns no ticks.
   /// Empty: the hand again, from outside.
-  void play(const std::optional<ServoSample>& sample);
+  void showSample(const std::optional<ServoSample>& sample);
   bool playing() const { return bool(played_); }
 
   /// Whether the contact is with an atom that the scene does not draw; its name would reveal what is to be felt.
@@ -182,8 +182,8 @@ class HapticSession {
   ServoLink servo_;
   AtomMotion atoms_{servo_};
   WorkspaceFit fit_{atoms_.model(), servo_};
-  TouchSetup made_with_;  // properties that need no rebuild are only in servo_settings
-  std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not support yet, or no longer
+  TouchSetup constructed_with_;  // properties that need no rebuild are only in servo_settings
+  std::string wanted_interaction_ = constructed_with_.interaction;  // which the stage may not support yet, or no longer
   TouchLog log_;
   LoadedAtoms body_contacts_;
   MethodWatch watch_;

@@ -1,5 +1,5 @@
-// Measures cost and accuracy of each method used on this molecule: tick times, changes of the force's direction from
-// tick to tick, and the distance of its SCP from that of an exact tracker with the same hand path (referenceOf,
+// Measures cost and accuracy of each method used on this molecule: tick times, and changes of the force's direction
+// from tick to tick. Also the distance of its SCP from that of an exact tracker with the same hand path (referenceOf,
 // engine/haptics/interactions.h). The exact tracker runs here, on the window's thread, over the ticks that the loop
 // returns; while it is the method in use, its contacts are those of the ticks. Units: microsecond, angstrom, degree.
 #pragma once

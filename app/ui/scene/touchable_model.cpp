@@ -12,14 +12,14 @@
 namespace moltact {
 namespace {
 
-// The new tracker first approaches from slightly outside the old surface, or from as far as its own surface is outside:
-// a mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
+// The new tracker first approaches from slightly outside the old surface, or from as far as its own surface is outside
+// (unit: angstrom). A mesh lies inside the spheres, and a coarse grid may lie outside.
 constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
 TouchableModel stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable,
                        std::span<const std::uint32_t> held) {
   TouchableModel stage;
-  if (!held.empty()) stage.body = heldBody(molecule->spheres, held);
+  if (!held.empty()) stage.body = heldBody(*molecule, held);
   stage.spheres = std::make_shared<const SphereGrid>(molecule->spheres, untouchable);
   const SphereGrid& spheres = *stage.spheres;
   std::size_t felt = 0;

@@ -53,8 +53,8 @@ std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const To
                                            const PoseA& hand, const DeviceSpecs& device,
                                            std::shared_ptr<const PairField>* pairs = nullptr);
 
-/// Leads a new interaction to where the body or probe of another one was in a tick, and then to the hand, so that a
-/// change of the forces between atoms does not let go of what is held. What is stored there in the coupling and in the
+/// Leads a new interaction to where the body or probe of another one was in a tick, and then to the hand. A change of
+/// the forces between atoms therefore does not release what is held. What is stored there in the coupling and in the
 /// new field is the energy with which it begins.
 void leadFrom(Interaction& made, const ServoSample& latest);
 

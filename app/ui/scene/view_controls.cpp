@@ -105,7 +105,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
   lead_ = hand_.lead(pointer, *spheres,
                      body ? HandShape(*body, settings.workspace.toMolecule({}, orientation_).orientation)
                           : HandShape(settings.probe_A));
-  // In a well the hand gives way in turning as well: it follows the body, which the field turns against its spring.
+  // In a well the hand yields in turning as well: it follows the body, which the field turns against its spring.
   if (body && hand_.inWell()) {
     const Quat wanted =
         glm::normalize(glm::conjugate(glm::quat_cast(settings.workspace.rotation)) * felt.shownBody().orientation);

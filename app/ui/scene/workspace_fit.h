@@ -1,6 +1,6 @@
 // Computes how the scene is placed in the hand's workspace: scale and position for the whole molecule, for a magnified
-// part, and for a device, whose axes are those of the view. HapticSession passes the workspaces to the loop. Window's
-// thread.
+// part, and for a device. A device's axes are those of the view. HapticSession passes the workspaces to the loop.
+// Window's thread.
 #pragma once
 
 #include <functional>

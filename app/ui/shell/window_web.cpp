@@ -62,7 +62,8 @@ struct Page {
 
 std::unique_ptr<Page> page;
 
-// If the device can vibrate, it signals a contact and each crossing to other atoms.
+// If the device can vibrate, it signals a contact and each crossing to other atoms. A field has no such instants: it
+// begins and ends gradually, so it gives no pulse.
 void feel() {
   const Contact& contact = page->app.scene.log().latest().contact;
   const std::array<std::int32_t, 3> now = contact.touching() ? contact.atoms : std::array<std::int32_t, 3>{-1, -1, -1};

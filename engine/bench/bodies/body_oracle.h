@@ -67,8 +67,8 @@ class BodyOracle {
     return dot(d, d) / 2;
   }
 
-  /// The rest of the force balance, relative to the pull (at least 1e-3 A): the distance of the negative pull from the
-  /// cone of the normals of all pairs with a gap below `touching_A`, by non-negative least squares.
+  /// The rest of the force balance, relative to the pull (at least 1e-3 A). It is the distance of the negative pull
+  /// from the cone of the normals of all pairs with a gap below `touching_A`, by non-negative least squares.
   Real residual(const Pose& at, const Pose& hand, Real touching_A = 1e-8L) const {
     const Vec6 d = pull(at, hand);
     std::vector<Vec6> normals;
@@ -78,10 +78,10 @@ class BodyOracle {
     return std::sqrt(dot(rest, rest)) / std::max<Real>(1e-3L, std::sqrt(dot(d, d)));
   }
 
-  /// True if poses without overlap near this one have less energy: of `directions` random motions, half of which keep the
-  /// contacts, one at both of the steps 1e-3 and 1e-4 A, made free of overlap by least motions. (A lower pose at one step
-  /// alone may lie behind a barrier.) Less by at most twice what closing the gaps of the contacts gains does not count: the
-  /// sum of force times gap.
+  /// True if poses without overlap near this one have less energy. Tests `directions` random motions, half of which
+  /// keep the contacts, one at both of the steps 1e-3 and 1e-4 A. Each is made free of overlap by least motions. (A
+  /// lower pose at one step alone may lie behind a barrier.) Less by at most twice what closing the gaps of the
+  /// contacts gains does not count: the sum of force times gap.
   bool hasLowerNeighbour(const Pose& at, const Pose& hand, int directions, std::mt19937_64& random) const {
     const Real here = energy_A2(at, hand);
     const std::vector<Contact> held = contacts(at, 1e-8L);

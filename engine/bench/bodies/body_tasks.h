@@ -1,5 +1,5 @@
-// The bodies, scenes and hand paths on which methods for a rigid body are timed and compared: parts of molecules of the
-// library, pressed into the rest of a molecule, dragged and twisted. Units: angstrom, radian, second.
+// The bodies, scenes and hand paths on which methods for a rigid body are timed and compared. The bodies are parts of
+// molecules of the library, pressed into the rest of a molecule, dragged and twisted. Units: angstrom, radian, second.
 #pragma once
 
 #include <array>

@@ -59,10 +59,10 @@ ReportTable bodyTradeOffTable(const std::vector<BodyTradeOff>& points, const Bod
       "Each body is pressed 6 A deep into its scene, dragged and twisted, in " + readable(double(options.ticks)) +
       " ticks. A tick's time is the minimum of " + std::to_string(options.runs) +
       " runs; the loop of 1000 sphere distances takes " + readable(points.empty() ? 0 : points.front().loop_ns / 1000) +
-      " us in the same process. Errors: every " +
+      " us in the same process. Errors are those of every " +
       (options.judge_every == 1 ? "" : std::to_string(options.judge_every) + "th ") +
-      "tick in contact, against the rest that the oracle over all pairs confirms and finds to 1e-15 A, with springs "
-      "of 1 N per A at the middle and (radius of gyration)^2 N A per rad. Unconfirmed ticks are not judged.";
+      "tick in contact, against the rest that the oracle over all pairs confirms and finds to 1e-15 A. The springs "
+      "have 1 N per A at the middle and (radius of gyration)^2 N A per rad. Unconfirmed ticks are not judged.";
   for (const BodyTradeOff& p : points)
     t.rows.push_back({double(p.atoms), double(p.scene_spheres), std::string(p.method->name), p.meanLoops(),
                       p.p999Loops(), p.mean_ns, p.position_A.rms, p.turn_rad.rms, p.force_N.rms, p.torque_NA.rms,
@@ -88,10 +88,10 @@ std::string bodyTradeOffSentences(const std::vector<BodyTradeOff>& points) {
            " at the 99.9th percentile. The rms errors are " + range([](const auto& p) { return p.position_A.rms; }) +
            " A, " + range([](const auto& p) { return p.turn_rad.rms; }) + " rad, " +
            range([](const auto& p) { return p.force_N.rms; }) + " N and " +
-           range([](const auto& p) { return p.torque_NA.rms; }) + " N A; ";
+           range([](const auto& p) { return p.torque_NA.rms; }) + " N A. ";
     double deepest = 0;
     for (const BodyTradeOff& p : own) deepest = std::max(deepest, p.overlap_A.max);
-    out += deepest > 0 ? "it overlaps the scene by up to " + readable(deepest) + " A.\n" : "it overlaps nothing.\n";
+    out += deepest > 0 ? "It overlaps the scene by up to " + readable(deepest) + " A.\n" : "It overlaps nothing.\n";
   }
   return out;
 }

@@ -69,9 +69,8 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
       "Atoms with polar hydrogens: ligand (amprenavir in 1HPV) " + atoms("ligand") +
       "; 200 of 2HHB's chain A nearest to B " + atoms("200") + "; chain A against B " + atoms("chain") +
       ". The path has " + readable(double(options.ticks)) +
-      " ticks. From the crystal pose the body moves by up to 0.5 A to either side along each axis, and turns about "
-      "each "
-      "by up to 0.5 A at its radius of gyration. A tick's time is the minimum of " +
+      " ticks. From the crystal pose the body moves by up to 0.5 A to either side along each axis. It also turns "
+      "about each axis by up to 0.5 A at its radius of gyration. A tick's time is the minimum of " +
       std::to_string(options.runs) +
       " runs. Errors are of the felt energy (walls bounded by asinh above 1 kcal/mol per atom). The reference is the "
       "sum "

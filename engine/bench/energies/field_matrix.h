@@ -1,6 +1,6 @@
-// Runs the ways of rendering forces between atoms through the scenes of field_scenes.h, in a closed loop with a simulated
-// device of little friction and a hand, and without the safety stage, and judges them by numbers. The result is equal in every run of the same
-// build, for any number of threads. Units: angstrom, newton, millimetre, joule.
+// Judges the methods of rendering forces between atoms by numbers, in the scenes of field_scenes.h. The loop is closed
+// by a simulated device of little friction and a hand; the safety stage is left out. The result is equal in every run
+// of the same build, for any number of threads. Units: angstrom, newton, millimetre, joule.
 #pragma once
 
 #include <array>

@@ -20,12 +20,12 @@ struct FieldScene {
   double probe_A = 0.0;           ///< of the contact
   PairModel model{};
   double N_per_kcal_mol_A = 0.05;  ///< newtons in the hand for 1 kcal/mol/A
-  std::vector<Vec3> path{};        ///< where the hand wants to be, one place per tick; it begins and ends far outside
+  std::vector<Vec3> path{};        ///< the target of the hand, one position per tick; it begins and ends far outside
   /// The ticks in which the hand stands still in the field: from, to. Equal: it does not.
   std::size_t held_from = 0, held_to = 0;
 };
 
-/// All scenes, in the order of the tables. Draw 0 contains them as defined; in each further draw scene and motion are
+/// All scenes, in the order of the tables. Draw 0 contains them as defined. In each further draw, scene and motion are
 /// rotated as a whole by a random rotation and shifted by up to a cell of the grids.
 std::vector<FieldScene> fieldScenes(std::uint64_t seed, std::size_t draw);
 

@@ -20,7 +20,7 @@ const Method* findBenchMethod(std::string_view name);
 struct MethodLimits {
   std::size_t max_spheres = 0;  ///< largest scene that it is measured on; 0: no limit
   bool one_probe = false;       ///< works only with the probe radius given at construction
-  /// Knows only what is seen from +z: the chart measures it on the strokes that come from there (bench/trade_off.h).
+  /// Represents only what is visible from +z: the chart measures it on the strokes that come from there (bench/trade_off.h).
   bool from_above = false;
 
   bool none() const { return max_spheres == 0 && !one_probe; }

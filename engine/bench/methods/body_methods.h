@@ -17,8 +17,9 @@ class BodyUnderTest {
  public:
   virtual ~BodyUnderTest() = default;
   virtual Interaction& interaction() noexcept = 0;
-  /// Performs one tick. `made_A2` becomes the energy (divided by the stiffness) that the springs store for this hand after
-  /// the tick, less what they would store for it with the state before the tick. A passive method makes none: at most 0.
+  /// Performs one tick. `made_A2` becomes the energy made by the tick, divided by the stiffness. It is the energy that
+  /// the springs store for this hand after the tick, less that for the same hand with the state before the tick. A
+  /// passive method makes none: at most 0.
   virtual Response tick(const PoseA& hand, double& made_A2) = 0;
 };
 

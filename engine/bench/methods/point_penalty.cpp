@@ -120,12 +120,12 @@ Response PointPenalty::respond(const PoseA& pose) noexcept {
   free_room_ = 0.0;
 
   Balance now = balanceAt(pose_, hand);
-  bool settled = false;
-  for (int k = 0; k < kMaxSteps && !settled; ++k) {
+  bool converged = false;
+  for (int k = 0; k < kMaxSteps && !converged; ++k) {
     const Factor6 factor = factored(now.curvature, 1e-3, 0.05);
     Six step = factor.backward(factor.forward(now.pull));
-    settled = length(step) < kBalanced;
-    if (settled) break;
+    converged = length(step) < kBalanced;
+    if (converged) break;
     bool lower = false;
     for (int half = 0; half < kMaxHalvings && !lower; ++half) {
       const BodyPose to = moved(pose_, step, lever_);
@@ -134,11 +134,11 @@ Response PointPenalty::respond(const PoseA& pose) noexcept {
       if (lower) pose_ = to, now = there;
       step.scale(0.5);
     }
-    settled = !lower;  // no step of this size changes the energy any more: rounding
-    if (settled) now = balanceAt(pose_, hand);
+    converged = !lower;  // no step of this size changes the energy any more: rounding
+    if (converged) now = balanceAt(pose_, hand);
   }
-  out.at_rest = settled;
-  if (now.touching == 0 && settled) {
+  out.at_rest = converged;
+  if (now.touching == 0 && converged) {
     pose_ = hand;
     free_from_ = hand;
     free_room_ = std::min(now.least_gap, pairs_.covered_A(hand));

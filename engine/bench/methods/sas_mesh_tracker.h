@@ -1,9 +1,9 @@
 // The god-object method on one manifold mesh of the solvent-accessible surface (surface_mesh.h): an upper bound for
 // polygonal trackers, with everything prepared in advance. In flight the SCP moves straight to the HIP, and the mesh's
 // tree of boxes finds the first triangle on the path. In contact the SCP descends |x - h|^2 from triangle to triangle
-// (neighbour tracking, Ho, Basdogan & Srinivasan 1999): on a triangle, along an edge in a crease or from a corner,
-// always along the steepest path that stays outside. The mesh has no inner faces and no self-intersections, so contact
-// requires no search.
+// (neighbour tracking, Ho, Basdogan & Srinivasan 1999). It moves on a triangle, along an edge in a crease or from a
+// corner, always along the steepest path that stays outside. The mesh has no inner faces and no self-intersections, so
+// contact requires no search.
 //
 // The mesh is valid for one probe radius; setProbe() does nothing. Known limitations, verified by tests: at an edge of
 // a facet the SCP lags and then jumps, and the force rotates by the angle between the facets. A gap narrower than a

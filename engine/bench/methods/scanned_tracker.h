@@ -1,11 +1,11 @@
-// The height field of a scanning tip (engine/haptics/height_field) as a method for the probe: the scene is scanned from +z
-// by a tip of the probe's radius, and the SCP is the tip's centre on the scanned surface. The substrate lies 1000 A deeper. A new probe scans the scene again
-// on the same nodes, in a long tick.
+// The height field of a scanning tip (engine/haptics/height_field) as a method for the probe. A tip of the probe's
+// radius scans the scene from +z, and the SCP is the tip's centre on the scanned surface. The substrate lies 1000 A
+// deeper. A new probe scans the scene again on the same nodes, in a long tick.
 //
-// Known limitations, verified by tests: the scan sees neither flanks that overhang nor the underside, and a wall of atoms
-// is a slope one spacing wide; a HIP there is inside until it comes out above. Between nodes the surface cuts
-// creases off and lies up to spacing^2 / (4 radius) under a cap. Haptic thread; no allocation after construction. Units:
-// angstrom.
+// Known limitations, verified by tests: the scan contains neither overhanging flanks nor the underside, and a wall of atoms
+// becomes a slope one spacing wide. A HIP there is inside until it comes out above. Between nodes the surface cuts
+// creases off and lies up to spacing^2 / (4 radius) under a cap. Haptic thread; no allocation after construction.
+// Units: angstrom.
 #pragma once
 
 #include <memory>

@@ -5,7 +5,7 @@
 // Construction: the union is sampled at the nodes of a grid. Every cell whose corners differ gets a vertex for each
 // sheet of the surface inside it. Every grid edge whose ends differ gets a polygon of the vertices around it (dual
 // marching cubes: Ju et al. 2002, Nielson 2004). A vertex is projected onto the sphere of its sheet. Where a crease or
-// pit of two or three spheres passes through the cell, the vertex lies on their circle or point; the triangles
+// pit of two or three spheres passes through the cell, the vertex lies on their circle or point. The triangles
 // therefore end at the creases and cut no corner.
 //
 // On a face of the grid with four crossings each of the two segments gets a vertex. The mesh is thus manifold: every

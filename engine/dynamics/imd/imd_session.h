@@ -22,7 +22,7 @@ class ImdSession {
 
   /// Bytes that the server has sent.
   void received(std::span<const std::uint8_t> bytes, double now_s);
-  /// The newest wishes. Of a command only `pushes` and `running` have an effect.
+  /// The newest requests. Of a command only `pushes` and `running` have an effect.
   void command(const SimulationCommand& wanted, double now_s);
   /// Call at least ten times a second: it notices silence.
   void passed(double now_s);
@@ -53,8 +53,8 @@ class ImdSession {
   static constexpr double kSilence_s = 1.0, kGone_s = 20.0;
   /// The first positions must come within this time.
   static constexpr double kFirst_s = 10.0;
-  /// An atom that moves farther from one frame to the next has jumped: the server has started again, or the atom has left
-  /// its box on one side and entered on the other.
+  /// An atom that moves farther from one frame to the next has jumped. Either the server has started again, or the atom
+  /// has left its box on one side and entered on the other.
   static constexpr double kJump_A = 10.0;
 
  private:

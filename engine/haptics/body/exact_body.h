@@ -5,10 +5,10 @@
 // subject to no overlap of any of its spheres with any sphere of the scene. Force and torque are the gradient of E.
 //
 // Each step solves a quadratic programme with the linearized gaps as constraints. The gap of two spheres is convex in
-// their distance, so the linearization is an inner approximation of free space, and a bound of the rotation's
-// second-order term makes the whole path of a step free (docs/exact-body.md). Constraint-based rendering with six degrees
-// of freedom is due to Ortega, Redon & Coquillart (2007). Haptic thread; no allocation after construction. Units:
-// angstrom; rotations in radian; six-vectors hold a translation and L times a rotation.
+// their distance, so the linearization is an inner approximation of free space. A bound of the rotation's second-order
+// term makes the whole path of a step free (docs/exact-body.md). Constraint-based rendering with six degrees of freedom
+// is due to Ortega, Redon & Coquillart (2007). Haptic thread; no allocation after construction. Units: angstrom;
+// rotations in radian; six-vectors hold a translation and L times a rotation.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ class ExactBody final : public Interaction {
 
   // exact_body_rest.cpp: the search for the rest pose
   void seekRest() noexcept;
-  bool settled(const Six& pull) const noexcept;
+  bool converged(const Six& pull) const noexcept;
   bool kicked(const Six& direction, double by_A) noexcept;
   bool advance(const Six& pull) noexcept;
   bool regulated(const Factor6* metric, Six pull) noexcept;

@@ -47,7 +47,7 @@ void ExactBody::returnTo(const Saved& to) noexcept {
 }
 
 // True if forces and torques balance and every contact that carries force is closed.
-bool ExactBody::settled(const Six& pull) const noexcept {
+bool ExactBody::converged(const Six& pull) const noexcept {
   Six rest = pull;
   for (int k = 0; k < held_count_; ++k) {
     const Held& held = held_[std::size_t(k)];
@@ -69,7 +69,7 @@ void ExactBody::seekRest() noexcept {
   while (steps_ < kMaxSteps && changes_ < kMaxChanges) {
     lookAround();
     const Six d = pull();
-    if (settled(d)) {
+    if (converged(d)) {
       const double energy = energyAt(pose_);
       if (held_count_ == 0) {
         pose_ = hand_;
@@ -210,8 +210,8 @@ bool ExactBody::accepted(const Six& pull) const noexcept {
   return merit <= energy + 1e-13 * (1.0 + energy);
 }
 
-// A step where the surroundings leave no room for the second-order term of a rotation: without that term, so short that
-// the path sinks by less than kSink_A, and followed by a restoration of the gaps.
+// A step where the surroundings leave no room for the second-order term of a rotation. It omits that term, is so short
+// that the path sinks by less than kSink_A, and is followed by a restoration of the gaps.
 bool ExactBody::squeezed(const Six& pull) noexcept {
   solution_ = solve(nullptr, pull, 0.0);
   if (!solution_.feasible) return false;

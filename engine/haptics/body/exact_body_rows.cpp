@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeastPivot = 1e-3, kLeastModified = 0.02;
+constexpr double kMinPivot = 1e-3, kMinModified = 0.02;
 constexpr double kAugmentation = 20.0;
 
 Vec3 cross(const Vec3& a, const Vec3& b) { return glm::cross(a, b); }
@@ -144,7 +144,7 @@ void ExactBody::lookAtMetric(const Six& pull) noexcept {
   for (int k = 0; k < held_count_; ++k) sum += held_[std::size_t(k)].lambda;
   for (int k = 0; k < held_count_; ++k)
     b.addOuter(kAugmentation * (1.0 + sum), rows_[std::size_t(held_[std::size_t(k)].row)]);
-  metric_ = factored(b, kLeastPivot, kLeastModified);
+  metric_ = factored(b, kMinPivot, kMinModified);
 }
 
 // The least curvature of the Lagrangian along the motions that keep every contact, and its direction.

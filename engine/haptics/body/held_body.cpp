@@ -6,15 +6,17 @@
 
 namespace moltact {
 
-std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms) {
+std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms,
+                                         double overlap_A) {
   constexpr double kMinRadius_A = 0.2;
   auto out = std::make_shared<HeldBody>();
+  out->overlap_A = overlap_A;
   for (const std::uint32_t a : atoms)
     if (a < scene.size()) out->atoms.push_back(a);
   if (out->atoms.empty() || out->atoms.size() > kMaxHeldAtoms) return nullptr;
   for (const std::uint32_t a : out->atoms) out->middle.A += scene[a].centre_A / double(out->atoms.size());
   for (const std::uint32_t a : out->atoms) {
-    const Sphere felt{scene[a].centre_A - out->middle.A, std::max(kMinRadius_A, scene[a].radius_A - kBodyOverlap_A)};
+    const Sphere felt{scene[a].centre_A - out->middle.A, std::max(kMinRadius_A, scene[a].radius_A - overlap_A)};
     out->reach_A = std::max(out->reach_A, glm::length(felt.centre_A) + felt.radius_A);
     out->spheres.push_back(felt);
   }

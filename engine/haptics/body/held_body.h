@@ -12,10 +12,10 @@
 
 namespace moltact {
 
-/// heldBody() reduces the radius of each atom by this length (unit: angstrom; to no less than 0.2 A), so that it may
-/// overlap the scene's atoms so far before it touches them. Hydrogen bonds bring atoms that close, and a drug then fits
-/// into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46 A). The value is tuned to the radii
-/// of Bondi; another table of radii needs another value.
+/// heldBody() reduces the radius of each atom by this length unless another is given (unit: angstrom; to no less than
+/// 0.2 A). The body may overlap the scene's atoms so far before it touches them. Hydrogen bonds bring atoms that close,
+/// and a drug then fits into its binding site without contact. The value depends on the table of radii
+/// (Molecule::body_overlap_A); this one is for those of Bondi.
 inline constexpr double kBodyOverlap_A = 0.5;
 /// The maximum number of atoms of a body.
 inline constexpr std::size_t kMaxHeldAtoms = 5'000;
@@ -23,16 +23,17 @@ inline constexpr std::size_t kMaxHeldAtoms = 5'000;
 /// Atoms that move as one rigid body with the hand's pose.
 struct HeldBody {
   std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending; empty for bodyOfSpheres()
-  /// One per atom, relative to the middle, in the molecule's axes; radii reduced by kBodyOverlap_A (by bodyOfSpheres():
-  /// as given).
+  /// One per atom, relative to the middle, in the molecule's axes; radii reduced by overlap_A.
   std::vector<Sphere> spheres;
   PointA middle;         ///< mean of their centres, in the molecule; zero for bodyOfSpheres()
-  double reach_A = 0.0;  ///< radius of the sphere about the middle that contains the body
+  double overlap_A = 0.0;  ///< by which radii were reduced; 0 for bodyOfSpheres()
+  double reach_A = 0.0;    ///< radius of the sphere about the middle that contains the body
 };
 
 /// Builds the body from the given indices of a scene's spheres (ascending). Returns null if no index is valid or there
 /// are more than kMaxHeldAtoms.
-std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms);
+std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms,
+                                         double overlap_A = kBodyOverlap_A);
 
 /// Builds a body from spheres that are not atoms of a molecule, given relative to its middle; their radii are felt
 /// unchanged. Returns null if there are none or more than kMaxHeldAtoms.

@@ -160,8 +160,8 @@ inline double smallestEigenvalue(const Matrix6& a, std::size_t n, Six& vector) {
 }
 
 /// Factors the matrix of which `b` holds the lower triangle. If a pivot is at most `min_pivot`, the factor is that of
-/// the matrix with other eigenvalues, so that a step of Newton's method leads away from a saddle: half of the absolute
-/// value of a negative one, and each at least `min_modified`.
+/// the matrix with other eigenvalues, so that a step of Newton's method leads away from a saddle. A negative eigenvalue
+/// is replaced by half of its absolute value, and each is at least `min_modified`.
 inline Factor6 factored(Matrix6 b, double min_pivot, double min_modified) {
   Factor6 out;
   const auto run = [&] {

@@ -27,7 +27,7 @@ inline double powerOf(const Vec3& place, const NearSphere& sphere) {
 
 /// True only if a point on sphere i, with this power with respect to sphere j, must rotate by more than `angle` (unit:
 /// radian) to reach sphere j. No square root is needed: the power is 2 R_i d times the difference between the point's
-/// cosine and the cap's; a cosine changes by at most 1 per radian, and d <= R_i + R_j where the spheres meet.
+/// cosine and the cap's. A cosine changes by at most 1 per radian, and d <= R_i + R_j where the spheres meet.
 inline bool farFrom(const NearSphere& i, const NearSphere& j, double power, double angle) {
   return power > 2.0 * i.radius * angle * (i.radius + j.radius);
 }

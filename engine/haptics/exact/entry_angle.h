@@ -1,7 +1,7 @@
 // The angle at which a point on a circular path enters a cap, in closed form. Haptic thread. Units: radian. Along a
-// great circle or an intersection circle the point's component along the cap's axis is f(t) = a cos t + b sin t, with t
-// = 0 at the point's present position. q is the component along that axis at the rim of the cap: the point is inside
-// the cap where f(t) > q. Precondition: a <= q, so it starts outside.
+// great circle or an intersection circle the point's component along the cap's axis is f(t) = a cos t + b sin t. The
+// point's present position is t = 0. q is the component along that axis at the rim of the cap: the point is inside the
+// cap where f(t) > q. Precondition: a <= q, so it starts outside.
 #pragma once
 
 #include <cmath>

@@ -79,6 +79,7 @@ std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const
   out.electrostatic.resize(box.count());
   const PairConstants constants(model);
   const AddPairs add = pairKernel(model.kind).slope;
+  const PairAtom unit{.depth_kcal_mol = sizes.empty() ? 0.0f : 1.0f, .charge_e = 1.0f};
   std::array<std::size_t, 3> bricks{};
   for (std::size_t axis = 0; axis < 3; ++axis) bricks[axis] = std::size_t((box.nodes[axis] + kBrick - 1) / kBrick);
   const auto brick = [&](std::size_t number) {
@@ -92,7 +93,7 @@ std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const
         for (int i = i0; i < std::min(i0 + kBrick, box.nodes[0]); ++i) {
           const Vec3 at = box.node(i, j, k) - centre;
           const std::size_t node = box.index(i, j, k);
-          PairOwn own{float(at.x), float(at.y), float(at.z), 1.0f, 0.0f, sizes.empty() ? 0.0f : 1.0f};
+          PairOwn own(unit, at);
           for (std::size_t size = 0; size < std::max<std::size_t>(sizes.size(), 1); ++size) {
             if (size < sizes.size()) own.half_minimum_A = sizes[size];
             PairTerms terms;

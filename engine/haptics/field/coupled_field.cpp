@@ -9,7 +9,7 @@ namespace {
 
 // A rise of the energy beyond this is more than the rounding of the sums in float (unit: kcal/mol).
 constexpr double kNoise_kcal_mol = 2e-3, kRelativeNoise = 1e-5;
-constexpr double kMostCaution = 256.0;
+constexpr double kMaxCaution = 256.0;
 
 }  // namespace
 
@@ -107,7 +107,7 @@ Response CoupledField::step(const PoseA& hand) noexcept {
   const double after = couplingEnergy_kcal_mol(body_) + at_.energy.felt_kcal_mol;
   if (after > before + kNoise_kcal_mol + kRelativeNoise * std::abs(before)) {
     ++rejected_;
-    caution_ = std::min(kMostCaution, 4.0 * caution_);
+    caution_ = std::min(kMaxCaution, 4.0 * caution_);
     goal_ = from;
     inner_answer_ = inner().respond(goal_);
     body_ = inner_answer_.shownBody(goal_);

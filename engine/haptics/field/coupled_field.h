@@ -3,7 +3,7 @@
 // held body moves towards a minimum of
 //   k / 2 |x - x_hand|^2 + k L^2 / 2 |log(q_hand q^-1)|^2 + U(x, q)
 // in free space. The hand feels the coupling alone, so the stiffness of the loop does not depend on the field, however
-// steep it is, and a body that falls into a well loses the energy that the fall sets free.
+// steep it is. A body that falls into a well loses the energy that the fall sets free.
 //
 // A tick bounds U from above near the pose by a quadratic with U's gradient and an upper bound K of its curvature. The
 // minimum of the coupling and that quadratic is the place to which the inner interaction is led; it keeps the contact. A tick

@@ -30,8 +30,8 @@ struct GridMaps {
   std::vector<float> electrostatic;  ///< of a charge of 1 e; empty: none
   std::vector<float> desolvation;    ///< multiplied by the absolute charge, as in AutoDock; empty: none
   /// Above zero, van der Waals energies are stored as f asinh(E / f), so that walls of 1e10 kcal/mol do not spoil the
-  /// interpolation beside them; the interpolated value is converted back. 0: stored unchanged, as is
-  /// customary.
+  /// interpolation beside them. The interpolated value is converted back. 0: stored unchanged,
+  /// as is customary.
   double fold = 0.0;
 
   std::size_t bytes() const;

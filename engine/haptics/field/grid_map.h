@@ -1,6 +1,6 @@
-// Values on the nodes of a box of cubic cells, and their interpolation: trilinear, as in AutoDock, whose gradient jumps at
-// the faces of cells, or tricubic (Catmull–Rom), whose gradient is continuous. Haptic thread, except
-// gridBoxRound(), for every other thread. Unit: angstrom.
+// Values on the nodes of a box of cubic cells, and their interpolation. Trilinear interpolation, as in AutoDock, has a
+// gradient that jumps at the faces of cells. Tricubic interpolation (Catmull–Rom) has a continuous gradient. Haptic
+// thread, except gridBoxRound(), for every other thread. Unit: angstrom.
 #pragma once
 
 #include <array>

@@ -30,9 +30,18 @@ struct alignas(32) PairBlock {
   }
 };
 
-/// One atom, relative to the centre of the blocks.
+/// One atom, relative to the centre of the blocks. The constructor copies all parameters of the atom, as PairBlock does.
 struct PairOwn {
   float x = 0, y = 0, z = 0, charge_e = 0, half_minimum_A = 0, root_depth = 0;
+
+  PairOwn() = default;
+  PairOwn(const PairAtom& atom, const Vec3& relative_A)
+      : x(float(relative_A.x)),
+        y(float(relative_A.y)),
+        z(float(relative_A.z)),
+        charge_e(atom.charge_e),
+        half_minimum_A(atom.half_minimum_A),
+        root_depth(std::sqrt(atom.depth_kcal_mol)) {}
 };
 
 /// Sums over pairs.

@@ -13,11 +13,6 @@ namespace {
 // fields is below this (unit: angstrom).
 constexpr double kRepelling_A = 5.0;
 
-PairOwn ownOf(const PairAtom& atom, const Vec3& relative) {
-  return {float(relative.x), float(relative.y),   float(relative.z),
-          atom.charge_e,     atom.half_minimum_A, std::sqrt(atom.depth_kcal_mol)};
-}
-
 }  // namespace
 
 PairShares::PairShares(std::shared_ptr<const PairField> field, std::span<const std::uint32_t> group_of_carrier)
@@ -65,7 +60,7 @@ void PairShares::at(const PoseA& pose) {
       const Vec3 relative = places_[k] - group.centre_A;
       if (glm::length(relative) > group.radius_A + cut) continue;
       PairTerms terms;
-      kernel_.slope(blocks_.data() + group.first_block, group.blocks, constants_, ownOf(field_->held[k], relative),
+      kernel_.slope(blocks_.data() + group.first_block, group.blocks, constants_, PairOwn(field_->held[k], relative),
                     terms);
       near = true;
       pairs_ += std::size_t(group.atoms);
@@ -85,7 +80,7 @@ std::vector<NearPair> PairShares::pairsAbove(double least_kcal_mol) const {
       block.clear(0);
       block.set(0, sphere.centre_A - places_[k], field_->atoms[index]);
       PairTerms terms;
-      kernel_.slope(&block, 1, constants_, ownOf(field_->held[k], Vec3(0.0)), terms);
+      kernel_.slope(&block, 1, constants_, PairOwn(field_->held[k], Vec3(0.0)), terms);
       const double energy = terms.energy[EnergyPart::VanDerWaals];
       if (energy >= least_kcal_mol) out.push_back({std::uint32_t(k), index, energy});
     });

@@ -1,6 +1,6 @@
-// The energy between a held body and a scene, by parts: of each held atom, of each group of the scene's atoms (a residue),
-// and the pairs of atoms that are too near each other. For the picture; PairSum computes what is felt, with the same loop
-// over pairs. One object on one thread at a time; not the haptic one. Units: angstrom, kcal/mol.
+// The energy between a held body and a scene, by parts: of each held atom, and of each group of the scene's atoms (a
+// residue). Also the pairs of atoms that are too near each other. For the picture; PairSum computes what is felt, with
+// the same loop over pairs. One object on one thread at a time; not the haptic one. Units: angstrom, kcal/mol.
 #pragma once
 
 #include <cstdint>

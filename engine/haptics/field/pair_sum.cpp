@@ -21,7 +21,7 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
       places_(body_.size()),
       curvatures_(body_.size()),
       slopes_(body_.size()) {
-  // No atom has more neighbours than there are atoms, nor than fit round the most crowded place; the latter is bounded
+  // No atom has more neighbours than there are atoms, nor than fit round the most crowded place. The latter is bounded
   // by twice a protein's density with all hydrogens, 0.1 atoms per cubic angstrom.
   const double reach = model_.cutoff_A + kMargin_A;
   const auto crowded = std::size_t(0.2 * 4.19 * reach * reach * reach);
@@ -94,7 +94,7 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
 PairOwn PairSum::own(std::size_t atom) const noexcept {
   const PairAtom& a = body_[atom];
   const Vec3 at = lists_[atom].whole ? places_[atom] - lists_[atom].centre_A : Vec3(0.0);
-  return {float(at.x), float(at.y), float(at.z), a.charge_e, a.half_minimum_A, std::sqrt(a.depth_kcal_mol)};
+  return {a, at};
 }
 
 template <class Visit>

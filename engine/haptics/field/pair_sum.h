@@ -44,9 +44,9 @@ class PairSum {
   /// The energy of the body in this pose of its middle; zero for a pose that is not finite.
   PairEnergy at(const PoseA& pose) noexcept;
 
-  /// The forces of the felt energy on the scene's atoms at the last pose (unit: kcal/mol/A); their sum is the opposite of
-  /// that on the body, to the rounding of float. Both spans have one entry per atom. Writes the indices of atoms within
-  /// the cut-off plus the margin to `near`, the forces on them to `forces` by index, and returns their number.
+  /// The forces of the felt energy on the scene's atoms at the last pose (unit: kcal/mol/A). Their sum is the opposite
+  /// of the force on the body, to the rounding of float. Both spans have one entry per atom. Writes the indices of
+  /// atoms within the cut-off plus the margin to `near`, their forces to `forces` by index, and returns their number.
   std::size_t sceneForces(std::span<Vec3> forces, std::span<std::uint32_t> near) const noexcept;
 
   const PairModel& model() const noexcept { return model_; }

@@ -9,7 +9,7 @@
 // outside.
 //
 // Known limitations, verified by tests: a crease or pit is rounded over about one spacing, so the SCP floats above it
-// and the force changes direction too gradually; a gap narrower than about one spacing closes or opens; a new brick
+// and the force changes direction too gradually. A gap narrower than about one spacing closes or opens. A new brick
 // makes a tick long. The feature is always Sphere, with the nearest sphere. Haptic thread; no allocation after
 // construction. Units: angstrom.
 #pragma once

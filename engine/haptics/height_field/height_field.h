@@ -1,6 +1,6 @@
 // The picture of a scanning tip: one height for each node of a square raster. Plain data, immutable once complete; any
 // thread. Units: angstrom. The scan's own axes are x along a line, y from line to line, and z up from the substrate,
-// toward the tip; the first node is the origin, at the height of the substrate.
+// toward the tip. The first node is the origin, at the height of the substrate.
 #pragma once
 
 #include <cstddef>

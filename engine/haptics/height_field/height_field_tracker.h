@@ -1,11 +1,12 @@
 // The god-object method on a height field: a point against a scanned surface. The surface consists of two triangles per
-// cell of the raster, which meet along the diagonal from the cell's first node to the opposite one; it is continuous and
-// passes through every node. The method is exact for it: the only error is rounding.
+// cell of the raster, which meet along the diagonal from the cell's first node to the opposite one. It is continuous
+// and passes through every node. The method is exact for it: the only error is rounding.
 //
 // In flight the SCP moves straight to the HIP, and the cells under its path give the first triangle that it meets. In
-// contact the SCP descends |x - h|^2 from triangle to triangle, along an edge or from a corner, always along the steepest
-// way that stays on or above the surface (neighbour tracking, Ho, Basdogan & Srinivasan 1999). Neighbours follow from
-// the numbers of the cells, so nothing is searched or prepared, and the cost of a tick depends on the crossed cells alone.
+// contact the SCP descends |x - h|^2 from triangle to triangle (neighbour tracking, Ho, Basdogan & Srinivasan 1999). It
+// moves along an edge or from a corner, always along the steepest path that stays on or above the surface. Neighbours
+// follow from the numbers of the cells, so nothing is searched or prepared, and the cost of a tick depends on the
+// crossed cells alone.
 //
 // Beyond its border the surface goes on for kBeyond_A at the heights of its outermost nodes; farther out nothing is felt.
 // What lies under the surface is inside: there is no underside. The feature is always Sphere, with the atom that stopped

@@ -1,12 +1,13 @@
 // A tip that scans a molecule line by line, as that of an atomic force microscope does. The picture of a rigid tip in
-// contact is the dilation of the spheres by the tip (Keller, Surf. Sci. 253, 353, 1991): at each node the tip rests on the
-// atom that stops it highest. For a spherical tip of radius R over an atom of radius r at the horizontal distance d that
-// height of the apex is z - R + sqrt((R + r)^2 - d^2); for the flank of a cone it is a straight line. Both are exact.
+// contact is the dilation of the spheres by the tip (Keller, Surf. Sci. 253, 353, 1991): at each node the tip rests on
+// the atom that stops it highest. A spherical tip of radius R stands above an atom of radius r at the height
+// z - R + sqrt((R + r)^2 - d^2) of its apex, with d the horizontal distance. The flank of a cone has a straight line as
+// its profile. Both are exact.
 //
 // At constant force the tip sinks into the atoms until their forces add up to the set force. The model is an elastic
 // foundation: each atom pushes straight up, in proportion to the depth of the tip under the height at which this atom
 // alone would stop it. The force is then a piecewise linear function of the height, whose solution is exact. The
-// substrate does not give way.
+// substrate is rigid.
 //
 // Any thread except the haptic one. Units: angstrom, piconewton, newton per metre.
 #pragma once
@@ -32,7 +33,7 @@ struct ScanSetup {
   Quat orientation = kNoRotation;  ///< rotates the scan's axes into the molecule's; the tip comes from its +z
   friend bool operator==(const ScanSetup&, const ScanSetup&) = default;
 
-  /// The depth to which a single atom gives way (unit: angstrom).
+  /// The depth to which a single atom yields (unit: angstrom).
   double sink_A() const { return 0.01 * force_pN / contact_N_per_m; }
 };
 

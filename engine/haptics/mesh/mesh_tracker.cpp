@@ -473,7 +473,7 @@ bool MeshTracker::carry() noexcept {
   return !has_been_outside_ || pushOut();
 }
 
-// Moves the SCP out of the meshes that have grown over it: out of each through the face above it, in turn, which
+// Moves the SCP out of the meshes that have grown over it, out of each through the face above it, in turn. This
 // converges to a point on all of them in a crease or pit. Returns false if that fails.
 bool MeshTracker::pushOut() noexcept {
   for (int round = 0; round < kMaxPushes; ++round) {

@@ -24,7 +24,7 @@
 // from the centre; no shading is more accurate.
 //
 // Known limitations, verified by tests: at an edge the SCP jumps by about twice the depth times the tangent of half the
-// angle between the faces, and the unshaded force rotates by that angle. The SCP lies up to one sagitta under the true
+// angle between the faces. The unshaded force rotates by that angle. The SCP lies up to one sagitta under the true
 // surface. A gap between spheres narrower than two sagittas is open. Feature and atoms describe the blocking spheres.
 // Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once

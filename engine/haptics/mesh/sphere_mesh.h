@@ -20,8 +20,8 @@ namespace moltact {
 class SphereMesh {
  public:
   /// The mesh with that number of triangles. 80, 320, 1280 or 5120: an icosahedron subdivided one to four times. 960,
-  /// as in the paper: 16 bands of latitude by 32 of longitude, with single triangles at the poles and pairs elsewhere,
-  /// in total 2 x 32 x 15; this division has the most equal edges. Any other count is a programming error (asserted).
+  /// as in the paper: 16 bands of latitude by 32 of longitude, with single triangles at the poles and pairs elsewhere:
+  /// 2 x 32 x 15 in total. This division has the most equal edges. Any other count is a programming error (asserted).
   /// Meshes are cached.
   static std::shared_ptr<const SphereMesh> ofTriangles(int count);
 

@@ -26,7 +26,7 @@ struct AtomModel {
 };
 
 /// Limits of one model. With the water probe, atoms as dense as the heavy atoms of a protein (0.057 per cubic angstrom,
-/// placed at random) have about 50 cones and 950 points each; atoms twice as dense have 94 and 3200. Beyond a limit the
+/// placed at random) have about 50 cones and 950 points each. Atoms twice as dense have 94 and 3200. Beyond a limit the
 /// shallowest cones and the points of the later pairs of cones are omitted; the tracker then does not stop at those
 /// circles and points.
 inline constexpr std::size_t kMaxCones = 128;

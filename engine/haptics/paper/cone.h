@@ -17,7 +17,7 @@ struct Cone {
 };
 
 /// The test of Figure 6 according to the text. The HIP, projected onto the circle's plane, lies less than the circle's
-/// radius from C1; the angle at the apex between HIP and axis is at most that of the cone.
+/// radius from C1. The angle at the apex between HIP and axis is at most that of the cone.
 bool insideCone(const Cone& cone, const Vec3& hip);
 
 /// True if the HIP lies beyond the circle's plane, on the neighbour's side.

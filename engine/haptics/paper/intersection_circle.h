@@ -8,8 +8,9 @@
 
 namespace moltact::paper {
 
-/// Equation 2: the distance from the centre of a sphere of radius R to the plane of the common circle, along the line
-/// to a sphere of radius r at distance d > 0. Negative if the plane lies on the other side of the first centre.
+/// Equation 2: the distance from the centre of a sphere of radius R to the plane of the circle that it shares with a
+/// sphere of radius r. The distance is along the line of the centres, which are d > 0 apart. Negative if the plane lies
+/// on the other side of the first centre.
 double circleHeight(double R, double r, double d);
 
 struct IntersectionCircle {

@@ -1,6 +1,6 @@
 // The penalty method: the sum of all spheres' pushes. A sphere that contains the HIP pushes it outward along the
 // radius, in proportion to the depth. There is no proxy and no state. The reported SCP is the HIP plus the sum of the
-// depth vectors, so that k (SCP - HIP) is the force; it lies on the surface only where a single sphere pushes. The
+// depth vectors, so that k (SCP - HIP) is the force. It lies on the surface only where a single sphere pushes. The
 // stored energy is the sum of k depth^2 / 2 over the spheres; the force is its negative gradient.
 //
 // Known limitations, verified by tests. Where spheres overlap the pushes add: a crease is too stiff, and the SCP's path

@@ -11,7 +11,7 @@ namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
-  body_ = scene.in_hand.given() ? heldBody(molecule->spheres, heldAtoms(scene, *molecule)) : nullptr;
+  body_ = scene.in_hand.given() ? heldBody(*molecule, heldAtoms(scene, *molecule)) : nullptr;
   const bool moved = spheres_ && spheres_->spheres().data() != molecule_->spheres.data();
   if (molecule != molecule_ || moved || spheres_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
@@ -68,7 +68,7 @@ void VirtualTouch::setStage(const TaskStage& stage) {
     exact_ = nullptr;
   }
   if (stage.in_hand != stage_.in_hand) {
-    body_ = heldBody(molecule_->spheres, stage.in_hand.empty() ? heldAtoms(scene_, *molecule_) : stage.in_hand);
+    body_ = heldBody(*molecule_, stage.in_hand.empty() ? heldAtoms(scene_, *molecule_) : stage.in_hand);
     felt_ = nullptr;
     exact_ = nullptr;
   }

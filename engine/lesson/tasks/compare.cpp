@@ -218,7 +218,7 @@ TaskKind compareKind() {
       &checkCompare,
       nullptr,
       &checkCompareScene,
-      "`compare: places` alone; the atoms count that the body presses hardest against, and the force on the whole "
+      "`compare: places` alone. The atoms count that the body presses hardest against, and the force on the whole "
       "body.",
       &comparesPlaces};
 }

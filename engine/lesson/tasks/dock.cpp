@@ -1,4 +1,4 @@
-// dock: bring what the hand holds to a pose, from outside and without a jump, and keep it there; where forces between
+// dock: bring what the hand holds to a pose, from outside and without a jump, and keep it there. Where forces between
 // atoms act, also until its energy is low enough, or to any pose of an energy that low. Who puts it down there, passes
 // through it or turns it wrongly has not docked it. The hand begins in an orientation drawn at random, which the view's
 // reset restores.
@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeastTurn_rad = std::numbers::pi / 3.0;  // of the drawn orientation off the goal's
+constexpr double kMinTurn_rad = std::numbers::pi / 3.0;  // of the drawn orientation off the goal's
 constexpr int kFalls = 24;  // into wells that are tried: near the goal, or from anywhere on the surface
 // Farther out than this the field is too weak to have drawn the body in (share of the limit of energy).
 constexpr double kOutside = 0.1;
@@ -88,7 +88,7 @@ class Dock : public Task {
   void draw() {
     if (!turns_ || !goal_) return;
     do turned_ = randomOrientation(state_);
-    while (hasGoal(spec_) && goal_->turned_rad({goal_->goal().place, turned_}) < kLeastTurn_rad);
+    while (hasGoal(spec_) && goal_->turned_rad({goal_->goal().place, turned_}) < kMinTurn_rad);
   }
 
   TaskStage requestedStage() const override {
@@ -290,7 +290,7 @@ TaskKind dockKind() {
       .keys = {{.name = "dock",
                 .type = ValueType::Text,
                 .meaning = "The pose: `file`, that of the molecule's file; or X, Y, Z, QW, QX, QY, QZ, the position "
-                           "of the body's centre in angstroms and a quaternion relative to the file; or `anywhere`, "
+                           "of the body's centre in angstroms and a quaternion relative to the file. Or `anywhere`, "
                            "with `energy`: any pose with an energy that low.",
                 .required = true},
                {.name = "energy",

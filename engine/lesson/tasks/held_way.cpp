@@ -14,7 +14,8 @@ bool HeldWay::tick(const TouchSample& s, double dt_s) {
   before_ = now_;
   now_ = s.body.value_or(PoseA{point.scp, kNoRotation});
   const bool was_there = std::exchange(there_, s.contact.fault == Fault::None && finite(now_.place.A));
-  return there_ && was_there && !s.placed && dt_s > 0.0 && glm::distance(now_.place.A, before_.place.A) <= kJump_A &&
+  return there_ && was_there && !s.contact_reset && dt_s > 0.0 &&
+         glm::distance(now_.place.A, before_.place.A) <= kJump_A &&
          glm::length(rotationBetween(before_.orientation, now_.orientation)) <= kJump_rad;
 }
 
@@ -82,8 +83,8 @@ std::vector<Well> wellsBeside(const PoseGoal& goal, const PoseTolerance& toleran
 }
 
 double searchReach_A(const SphereGrid& spheres, const HeldBody& body) {
-  constexpr double kMost_A = 40.0;
-  return std::min(kMost_A, 0.5 * glm::distance(spheres.low_A(), spheres.high_A()) + body.reach_A);
+  constexpr double kMaxReach_A = 40.0;
+  return std::min(kMaxReach_A, 0.5 * glm::distance(spheres.low_A(), spheres.high_A()) + body.reach_A);
 }
 
 HandPlan planAlong(const std::vector<PoseA>& way, double share, double wait_s) {

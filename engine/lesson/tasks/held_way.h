@@ -21,13 +21,14 @@ class HeldWay {
   /// A longer step between two samples is a jump. A hand moves by less than this in 30 ms, and by far less in a tick.
   static constexpr double kJump_A = 3.0, kJump_rad = 0.5;
 
-  /// Takes a sample; `dt_s` as in Task::onSample. Returns false if the sample does not continue the previous one: it
-  /// is the first, the hand was put down or jumped, a gap in time, a body or probe that began inside.
+  /// Takes a sample; `dt_s` as in Task::onSample. Returns false if the sample does not continue the previous one. That
+  /// is so for the first sample, after the hand was put down or jumped, after a gap in time, and for a body or probe
+  /// that began inside.
   bool tick(const TouchSample& sample, double dt_s);
   void restart() { *this = HeldWay(); }
 
-  /// Of the last sample: the body as it is shown, or the contact point of the probe (from the exact tracker, so that
-  /// a method that loses the surface cannot mislead the task).
+  /// Of the last sample: the body as it is shown, or the contact point of the probe. The point is that of the exact
+  /// tracker, so a method that loses the surface cannot mislead the task.
   const PoseA& pose() const { return now_; }
   /// Of the previous sample; valid if tick() returned true.
   const PoseA& before() const { return before_; }
@@ -47,8 +48,8 @@ class PoseGoal {
   /// The root of the mean squared distance of the body's atoms from their places in the goal.
   double rmsd_A(const PoseA& pose) const;
   double turned_rad(const PoseA& pose) const;
-  /// Whether the springs of a body held by `springs`, one per atom, are stretched by more than `within_A` (root mean square over
-  /// the atoms): its atoms are then elsewhere than the body that is shown.
+  /// Whether the springs of a body held by `springs`, one per atom, are stretched by more than `within_A` (root mean
+  /// square over the atoms). If so, its atoms are elsewhere than the body that is shown.
   bool stretched(const TouchSample& s, double within_A) const;
 
  private:

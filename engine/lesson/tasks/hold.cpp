@@ -145,7 +145,7 @@ TaskKind holdKind() {
           &checkHold,
           nullptr,
           nullptr,
-          "the atoms count that the body presses hardest against, and the force on the whole body; a kind of place is "
+          "the atoms count that the body presses hardest against, and the force on the whole body. A kind of place is "
           "for the probe.",
           &namesAtomsOrAnywhere};
 }

@@ -303,8 +303,9 @@ TaskKind orderKind() {
       {.base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
       {{.name = "order",
         .type = ValueType::Path,
-        .meaning = "The places in the right order, two to six, separated by 'then'. The student feels them in a "
-                   "different order. By energy the program finds the right order itself.",
+        .meaning =
+            "The places in the right order, two to six, separated by 'then'; by energy the program finds the right "
+            "order itself. The student feels them in a different order.",
         .required = true},
        {.name = "first",
         .type = ValueType::Text,
@@ -312,9 +313,9 @@ TaskKind orderKind() {
         .required = true},
        {.name = "by",
         .type = ValueType::Word,
-        .meaning = "The property that orders the places. By size, `check` compares the atoms' radii. By energy, in a "
-                   "scene with `forces`, the place with the probe's deepest well is the first; the program computes "
-                   "the wells.",
+        .meaning =
+            "The property that orders the places: by size, `check` compares the atoms' radii. By energy, in a scene "
+            "with `forces`, the place with the probe's deepest well is the first; the program computes the wells.",
         .fallback = "touch",
         .words = {"touch", "depth", "size", kByEnergy}},
        {.name = "for",

@@ -36,7 +36,7 @@ class Predict : public Task {
         goal_(spec.values["along"].selection),
         agree_(0.01 * spec.values["agree"].number),
         slides_(spec.values["along"].selection.given()) {
-    curves_.x_name = slides_ ? N_("way") : N_("depth");
+    curves_.x_name = slides_ ? "way" : N_("depth");
     curves_.x_max_A = spec.values["deep"].number;
     curves_.max_N = spec.values["most"].number;
     if (slides_) {
@@ -99,7 +99,7 @@ class Predict : public Task {
     ++waiting_[k].count;
     waiting_[k].sum_N += glm::length(s.force.N);
     // Feeling a path requires sliding along it; single touches do not count.
-    if (slides_ && slide_.way_A() < kSlideShare * curves_.x_max_A) return;
+    if (slides_ && slide_.pathLength_A() < kSlideShare * curves_.x_max_A) return;
     for (std::size_t point = 0; point < kPoints; ++point) {
       if (waiting_[point].count == 0.0) continue;
       counts_[point] += waiting_[point].count;

@@ -82,7 +82,7 @@ TaskKind pressKind() {
           nullptr,
           nullptr,
           nullptr,
-          "the atoms count that the body presses hardest against, and the force on the whole body; a kind of place is "
+          "the atoms count that the body presses hardest against, and the force on the whole body. A kind of place is "
           "for the probe.",
           [](const TaskSpec& s) { return !isKindOfPlace(s.values["press"]); }};
 }

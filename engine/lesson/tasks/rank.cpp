@@ -1,7 +1,7 @@
-// rank: hold several ligands in turn, each in its own place, in the dark unless the author says otherwise, pull at each
-// and put them in order of how firmly the forces between atoms bind them. The ligands come in a different order for each
-// student and each round. What counts as felt depends on the hand's way alone, never on a force, so that no word tells
-// how firmly a ligand is bound.
+// rank: hold several ligands in turn, each in its own place, in the dark unless the author chooses otherwise. Pull at
+// each and put them in order of how firmly the forces between atoms bind them. The ligands come in a different order
+// for each student and each round. What counts as felt depends on the hand's way alone, never on a force, so that no
+// word tells how firmly a ligand is bound.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -14,6 +14,7 @@
 #include "engine/lesson/scene_forces.h"
 #include "engine/lesson/tasks/held_way.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -60,7 +61,7 @@ class Rank : public Task {
   void takeForces(std::shared_ptr<const SceneForces> forces) override {
     ligands_.clear();
     for (const Selection& part : parts_) {
-      const auto body = heldBody(forces->molecule().spheres, part.select(forces->molecule()));
+      const auto body = heldBody(forces->molecule(), part.select(forces->molecule()));
       if (!body) continue;
       const std::optional<Well> well = wellOf(*forces->holding(body));
       ligands_.push_back({TargetName(part, forces->molecule()), body, well ? well->pose : PoseA{body->middle},
@@ -120,11 +121,11 @@ class Rank : public Task {
 
   // Ticks of the ligand before may arrive until this one is put into the hand.
   void onSample(const TouchSample& s, double dt_s) override {
-    if (s.placed) put_down_ = true, begun_ = false;
+    if (s.contact_reset) put_down_ = true, begun_ = false;
     if (!feeling() || !put_down_ || !s.body) return;
     off_A_ = glm::distance(s.hip.A, shownLigand(at_).place.place.A);
     begun_ = !s.hovering && (begun_ || off_A_ <= kPulls_A);
-    // Once it has pulled: a mouse's hand gives way in a well, however far it wants to be.
+    // Once it has pulled: a mouse's hand yields in a well, however far away its target is.
     pulled_ = begun_ && (pulled_ || off_A_ >= kPulls_A);
     if (pulling()) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
@@ -307,7 +308,7 @@ void checkRankForces(const TaskSpec& spec, const SceneForces& forces, std::vecto
   const Value& rank = spec.values["rank"];
   std::vector<std::pair<double, std::size_t>> energies;
   for (std::size_t k = 0; k < rank.path.size(); ++k) {
-    const auto body = heldBody(forces.molecule().spheres, rank.path[k].select(forces.molecule()));
+    const auto body = heldBody(forces.molecule(), rank.path[k].select(forces.molecule()));
     if (!body) return;
     const std::optional<Well> well = wellOf(*forces.holding(body));
     if (!well || well->energy.total_kcal_mol() >= 0.0) {
@@ -339,9 +340,9 @@ TaskKind rankKind() {
       .keys = {{.name = "rank",
                 .type = ValueType::Path,
                 .meaning =
-                    "The ligands, two to four, separated by 'then', each in its pose of the molecule's file. One "
-                    "is the scene's `in-hand`, the others are in `remove`. The program computes the right order "
-                    "from their energies. They may overlap each other.",
+                    "The ligands, two to four, separated by 'then', each in its pose of the molecule's file; they "
+                    "may overlap each other. One is the scene's `in-hand`, the others are in `remove`; the program "
+                    "computes the right order from their energies.",
                 .required = true},
                {.name = "first",
                 .type = ValueType::Text,

@@ -40,7 +40,7 @@ void Task::measureTouch(const TouchSample& sample, double dt_s) {
     return;
   }
   contact_s_ += dt_s;
-  if (last_scp_A_ && dt_s > 0.0) way_A_ += glm::distance(*last_scp_A_, sample.contact.scp.A);
+  if (last_scp_A_ && dt_s > 0.0) path_A_ += glm::distance(*last_scp_A_, sample.contact.scp.A);
   last_scp_A_ = sample.contact.scp.A;
 }
 
@@ -66,7 +66,7 @@ std::vector<TaskFigure> Task::figures() const {
   std::vector<TaskFigure> out{{N_("time"), time_s_, "s"}, {N_("contact time"), contact_s_, "s"}};
   if (felt_s_ > 0.0) out.push_back({N_("mean force"), impulse_Ns_ / felt_s_, "N"});
   out.push_back({N_("greatest force"), greatest_N_, "N"});
-  out.push_back({N_("way"), way_A_, "Å"});
+  out.push_back({"way", path_A_, "Å"});  // shown as figureTitle("way")
   measure(out);
   return out;
 }
@@ -88,7 +88,7 @@ std::string Task::sentence() const {
 
 void Task::reset() {
   progress_ = 0.0;
-  time_s_ = contact_s_ = felt_s_ = impulse_Ns_ = greatest_N_ = way_A_ = 0.0;
+  time_s_ = contact_s_ = felt_s_ = impulse_Ns_ = greatest_N_ = path_A_ = 0.0;
   last_scp_A_.reset();
   done_ = given_up_ = started_ = inside_ = body_ = false;
   missed_ = 0;
@@ -207,7 +207,7 @@ bool Slide::tick(const Contact& contact, double dt_s) {
   }
   const double step_A = last_A_ ? glm::distance(*last_A_, contact.scp.A) : 0.0;
   const bool anew = !last_A_ || (away_s_ > 0.0 && (away_s_ > kSlip_s || step_A > kHop_A));
-  way_A_ = anew ? 0.0 : way_A_ + step_A;
+  path_A_ = anew ? 0.0 : path_A_ + step_A;
   last_A_ = contact.scp.A;
   away_s_ = 0.0;
   return anew;

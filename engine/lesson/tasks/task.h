@@ -139,8 +139,8 @@ class Task {
   /// The changes of the scene that it requests; none once done.
   TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
-  /// The quantities measured from the start until now or until done: time, time in contact, mean and largest force in
-  /// contact, path length of the contact point on the surface; then those of the kind of task.
+  /// The quantities measured from the start until now or until done. These are time, time in contact, mean and largest
+  /// force in contact, and path length of the contact point on the surface. Those of the kind of task follow.
   std::vector<TaskFigure> figures() const;
   /// Only the quantities of the kind of task.
   std::vector<TaskFigure> ownFigures() const {
@@ -203,7 +203,7 @@ class Task {
 
   AuthorsText praise_;
   double progress_ = 0.0, last_time_s_ = 0.0;
-  double time_s_ = 0.0, contact_s_ = 0.0, felt_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
+  double time_s_ = 0.0, contact_s_ = 0.0, felt_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, path_A_ = 0.0;
   std::optional<Vec3> last_scp_A_;
   bool done_ = false, given_up_ = false, started_ = false, inside_ = false, body_ = false;
   int tries_ = 0, missed_ = 0;  // allowed tries (0: unlimited), and wrong ones so far
@@ -273,12 +273,12 @@ class Slide {
   static constexpr double kHop_A = 0.5;
   /// Processes one tick. Returns true if another slide began with it.
   bool tick(const Contact& contact, double dt_s);
-  double way_A() const { return way_A_; }  ///< path length so far in this slide
+  double pathLength_A() const { return path_A_; }  ///< path length so far in this slide
   void restart() { *this = Slide(); }
 
  private:
   std::optional<Vec3> last_A_;
-  double way_A_ = 0.0, away_s_ = 0.0;
+  double path_A_ = 0.0, away_s_ = 0.0;
 };
 
 /// A point on a path of atoms: one atom, or the sphere around the atoms of one part of the key. Unit: angstrom.
@@ -291,8 +291,8 @@ struct PathPlace {
 /// The points of a path. A single part gives one point per atom, in the order of the file; several parts give one each.
 std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule);
 
-/// The name of a task's target inside a sentence: the author's, or one made from the selection or the kind of place, in
-/// the language in use at the time of the call.
+/// The name of a task's target inside a sentence, in the language in use at the time of the call. It is the author's,
+/// or one made from the selection or the kind of place.
 class TargetName {
  public:
   /// `called`: the key by which the author may name it.
@@ -322,7 +322,7 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
 bool isFeature(std::string_view word, Feature feature);
 
 /// A kind of place formed by certain atoms. In the middle of a ring of equal atoms, it depends on chance whether two or
-/// three of them block the probe; there it counts as a pit as soon as three atoms are within kAlike_A.
+/// three of them block the probe. There it counts as a pit as soon as three atoms are within kAlike_A.
 class PlaceKind {
  public:
   static constexpr double kAlike_A = 0.1;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kAhead_A = 5.0;      // at a bend, the nearest point of the path may jump ahead by this distance
 constexpr double kAheadShare = 0.25;  // but at most by this share of the whole path
-// The front advances by at most this multiple of the slide since it stood there, because the path on the surface may be
-// longer or shorter than that between the centres. The hand must resume within this distance of the front.
+// The front advances by at most this multiple of the slide since it stood there. The path on the surface may be longer
+// or shorter than that between the centres. The hand must resume within this distance of the front.
 constexpr double kWayShare = 2.0, kResume_A = 1.5;
 constexpr double kSlid_A = 1.0;      // minimum length of a slide that advances the front
 constexpr double kSlidShare = 0.1;   // or this share of the path, if that is shorter
@@ -78,7 +78,7 @@ class TraceAtoms : public Trace {
     const double off_A = nearest(scp, probe_A, 0.0, length_A_).off_A;
     if (!begun_) {
       resumed_ = true;
-      slid_A_ = slide_.way_A();
+      slid_A_ = slide_.pathLength_A();
       budget_A_ = std::min(kResume_A, kAheadShare * length_A_);
       if (rests(contact, stops_.front()) || (either_ && rests(contact, stops_.back()))) {
         begun_ = true;
@@ -102,8 +102,8 @@ class TraceAtoms : public Trace {
       slid_A_ = budget_A_ = 0.0;
     }
     // A press also moves the contact point slightly; shorter motions do not count as a slide.
-    if (slide_.way_A() >= std::min(kSlid_A, kSlidShare * length_A_))
-      budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
+    if (slide_.pathLength_A() >= std::min(kSlid_A, kSlidShare * length_A_))
+      budget_A_ += kWayShare * (slide_.pathLength_A() - std::exchange(slid_A_, slide_.pathLength_A()));
     if (!resumed_) {
       // The path continues where it was left: a hand that comes down there, or slides back to it, resumes.
       const double reach = std::min(kResume_A, ahead_A_);

@@ -41,7 +41,7 @@ class TraceCrease : public Trace {
     const double off = off_A < kSpacing_A ? std::max(0.0, off_A - 0.5 * kSpacing_A) : off_A;
     if (off > within_A || put_down_) {
       dropBrushed();
-      on_since_A_ = slide_.way_A();
+      on_since_A_ = slide_.pathLength_A();
     }
     if (off > within_A) return {off, false};
     begun_ = true;
@@ -51,7 +51,8 @@ class TraceCrease : public Trace {
       brushed_.push_back(k);
     });
     // Covering a crease requires sliding along it; single touches do not count.
-    if (slide_.way_A() - on_since_A_ < std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size())))
+    if (slide_.pathLength_A() - on_since_A_ <
+        std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size())))
       return {off, true};
     for (const std::uint32_t k : brushed_) passed_[k] = kPassed;
     count_ += brushed_.size();

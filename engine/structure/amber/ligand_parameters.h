@@ -31,10 +31,10 @@ struct GasteigerCharges {
   std::vector<float> hydrogens_e;  ///< of each of the atom's hydrogens that the file lacks (AtomValence::hydrogens)
 };
 
-/// Six iterations from the formal charges. Charge flows along bonds between wanted atoms of known electronegativity only,
-/// so that the charge of a residue beside others is its formal charge, a whole number. The parameters are those of the
-/// paper; those of phosphorus, the nitrogen of amides and anilines and the sulphur of sulphones are of later work with the
-/// method and are Open Babel's. Selenium has those of sulphur.
+/// Six iterations from the formal charges. Charge flows along bonds between wanted atoms of known electronegativity
+/// only, so that the charge of a residue beside others is its formal charge, a whole number. The parameters are those
+/// of the paper. Those of phosphorus, the nitrogen of amides and anilines and the sulphur of sulphones are of later
+/// work with the method, and are Open Babel's. Selenium has those of sulphur.
 GasteigerCharges gasteigerCharges(const Molecule& molecule, std::span<const Bond> bonds,
                                   const std::vector<char>& wanted, std::span<const AtomValence> valences);
 

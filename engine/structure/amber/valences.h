@@ -25,9 +25,9 @@ struct AtomValence {
 /// (findBonds). Rules:
 /// * A residue with a hydrogen on a carbon lacks none. One with hydrogens on nitrogen, oxygen or sulphur only lacks those
 ///   on carbon.
-/// * Where the file has no hydrogens, groups have the state that is usual in water at pH 7: carboxylates, sulphates and
-///   phosphates without protons (two charges at the end of a phosphate), aliphatic amines, amidines and guanidines with
-///   one more.
+/// * Where the file has no hydrogens, groups have the state that is usual in water at pH 7. Carboxylates, sulphates and
+/// phosphates have no protons (two charges at the end of a phosphate); aliphatic amines, amidines and guanidines have
+/// one more.
 /// * A nitrogen on a metal without a proton, as in haem, has the charge -1. Metals have no entry.
 std::vector<AtomValence> atomValences(const Molecule& molecule, std::span<const Bond> bonds,
                                       const std::vector<char>& wanted);

@@ -1,6 +1,6 @@
 // Students without touch before the tasks that judge a body in the hand: a looker, who puts the body down where the
 // picture shows its place; a guesser, who leads it straight in, turned anyhow; and a jabber, who pushes it here and there
-// and lets go. None passes 'dock' in the program's lessons, and only who holds the press passes 'contacts'.
+// and lets go. None passes 'dock' or 'contacts' in the program's lessons.
 #include "engine/core/even_directions.h"
 #include "engine/core/random.h"
 #include "engine/lesson/pose_search.h"
@@ -11,7 +11,7 @@ using namespace moltact::test;
 
 namespace {
 
-constexpr int kTries = 12;
+constexpr int kTries = 100;
 
 // Outside, on a line through the body's place in the file.
 Vec3 outside(const HandPlanInput& view, int k) {
@@ -29,9 +29,9 @@ bool passes(const Found& f, const auto& plan) {
 }  // namespace
 
 TEST_CASE(
-    "a body that is put down in its place, led straight in from any of 12 sides in another orientation, or jabbed at "
-    "it for 0.3 s solves no 'dock' of the lessons; put down or jabbed no 'contacts' either, which a press of 2 s "
-    "solves") {
+    "a body that is put down in its place, led straight in from 100 sides in orientations drawn evenly, or jabbed at it "
+    "for 0.3 s from 100 sides solves no 'dock' of the lessons; of 'contacts' such a press of 2 s solves at most one in "
+    "ten, and put down or jabbed none") {
   std::vector<Found> found = tasksOfKind("dock");
   REQUIRE(found.size() >= 3);
   const std::vector<Found> presses = tasksOfKind("contacts");
@@ -55,9 +55,7 @@ TEST_CASE(
     std::uint64_t random = 20261125;
     for (int k = 0; k < kTries; ++k) {
       // The guesser knows the place, but not how the body lies in it.
-      Quat turned;
-      do turned = randomOrientation(random);
-      while (glm::length(rotationBetween(kNoRotation, turned)) < glm::radians(60.0));
+      const Quat turned = randomOrientation(random);
       const auto straight = [&](double wait_s) {
         return [&, wait_s](const HandPlanInput& view) {
           return opened({{.to = PointA{outside(view, k)}, .placed = true, .wait_s = 0.05},
@@ -106,8 +104,7 @@ TEST_CASE(
       jabbed += passes(f, straight(0.3));
     }
     CHECK(jabbed == 0);
-    // Who leads the body there in any orientation and holds it for 2 s does what the task asks for.
-    CHECK(guessed > 0);
+    CHECK(guessed <= kTries / 10);
     table.row(f, looker, double(guessed) / kTries, double(jabbed) / kTries, kNone);
   }
   table.print();

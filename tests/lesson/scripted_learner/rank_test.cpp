@@ -83,11 +83,11 @@ struct Alone {
     s.energy.emplace();
     s.energy->parts[EnergyPart::Electrostatic] = energy_kcal_mol;
     s.hovering = hovering;
-    s.placed = placed;
+    s.contact_reset = placed;
     for (int n = int(seconds * 1000.0); n > 0; --n) {
       s.time_s = time_s += 0.001;
       task->feed(s);
-      s.placed = false;
+      s.contact_reset = false;
     }
   }
   Vec3 place() const { return task->stage().body_begins->A; }

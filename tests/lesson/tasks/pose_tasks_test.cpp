@@ -48,7 +48,7 @@ struct Leader {
     next.orientation = q;
     if (body) next.body = PoseA{{place}, q};
     task.feed(next);
-    next.placed = false;
+    next.contact_reset = false;
   }
   void stay(double for_s) {
     for (const double end_s = time_s + for_s; time_s < end_s;) put(next.hip.A, next.orientation);
@@ -115,7 +115,7 @@ TEST_CASE(
     const auto t = docking();
     Leader hand{*t};
     hand.put({0, 0, 12});
-    hand.next.placed = true;
+    hand.next.contact_reset = true;
     hand.put({0, 0, 0});
     hand.stay(5.0);
     CHECK_FALSE(t->done());
@@ -256,7 +256,7 @@ TEST_CASE(
     Leader hand{.task = *t, .body = false};
     hand.put({1, 0, 26});
     hand.lead({1, 0, 21.6});
-    hand.next.placed = placed;
+    hand.next.contact_reset = placed;
     hand.put({1, 0, placed ? 19.6 : 17.9});  // 3.7 A in a tick
     hand.lead({1, 0, 14});
     CHECK_FALSE(t->done());

@@ -198,7 +198,7 @@ void drawPredictions(const LessonSession& session) {
 
 struct Done {
   std::size_t tasks = 0, questions = 0, first_right = 0, steps = 0, asides = 0, steps_seen = 0, skipped = 0;
-  double touched_s = 0.0, way_A = 0.0;
+  double touched_s = 0.0, path_A = 0.0;
 };
 
 Done doneIn(const LessonSession& session) {
@@ -212,7 +212,7 @@ Done doneIn(const LessonSession& session) {
       out.tasks += session.taskSolved(s, t);
       for (const TaskFigure& f : session.figuresOf(s, t)) {
         if (f.name == "contact time") out.touched_s += f.value;
-        if (f.name == "way") out.way_A += f.value;
+        if (f.name == "way") out.path_A += f.value;
       }
     }
     for (std::size_t q = 0; q < steps[s].questions.size(); ++q) {
@@ -265,7 +265,7 @@ void drawFigures(const LessonSession& session) {
     line("lesson/end/felt",
          trf("In the tasks of today you touched for {0}, over {1} of surface.",
              quantityText(done.touched_s, Dimension::Time, decimals(0)),
-             quantityText(done.way_A, Dimension::Length, decimals(0))),
+             quantityText(done.path_A, Dimension::Length, decimals(0))),
          p.text);
   line("lesson/end/way",
        done.asides ? trf("{0} of {1} steps seen, and {2}.", done.steps_seen, done.steps,

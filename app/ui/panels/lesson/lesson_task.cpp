@@ -14,6 +14,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
@@ -30,7 +31,7 @@ void drawFigures(const std::string& name, const Task& task) {
   std::string line;
   for (const TaskFigure& f : task.ownFigures()) {
     if (f.value == 0.0 && f.unit.empty()) continue;  // no errors were counted
-    line += (line.empty() ? "" : "  ·  ") + std::string(tr(f.name)) + " " +
+    line += (line.empty() ? "" : "  ·  ") + figureTitle(std::string(f.name)) + " " +
             quantityIn(f.value, f.unit, decimals(f.value == std::round(f.value) ? 0 : 2));
   }
   if (line.empty()) return;

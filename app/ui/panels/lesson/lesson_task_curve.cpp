@@ -14,6 +14,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
@@ -71,7 +72,8 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
   }
   write({area.low.x, area.high.y + l.px(3)}, 0.5f, "0");
   write({area.high.x, area.high.y + l.px(3)}, 1.0f, quantityText(curves.x_max_A, Dimension::Length, plain(2)).c_str());
-  write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f, std::string(tr(curves.x_name)).c_str());
+  write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f,
+        figureTitle(std::string(curves.x_name)).c_str());
 }
 
 void drawLegend(ImVec2 at, bool expected, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {

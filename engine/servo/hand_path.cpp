@@ -1,4 +1,4 @@
-#include "engine/bench/hand_path.h"
+#include "engine/servo/hand_path.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,10 @@
 #include "engine/haptics/sweep.h"
 #include "engine/platform/read_file.h"
 
-namespace moltact::bench {
+namespace moltact {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
-constexpr double kTick_s = 0.001;
+constexpr std::size_t kMaxPathBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxTicks = 25'000'000;  // seven hours; also the limit on rows
 constexpr std::size_t kMaxLineBytes = 64 << 10, kMaxLabels = 1000;
 constexpr std::array<std::string_view, 7> kColumns{"t", "x", "y", "z", "fx", "fy", "fz"};
@@ -95,7 +94,7 @@ void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, boo
 
 Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const auto bytes = readFile(file, kMaxBytes, "split it into shorter ways");
+  const auto bytes = readFile(file, kMaxPathBytes, "split it into shorter ways");
   if (!bytes) return bytes.problem();
   std::string_view text = *bytes;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark, written by some spreadsheets
@@ -254,4 +253,4 @@ HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm
   return out;
 }
 
-}  // namespace moltact::bench
+}  // namespace moltact

@@ -27,7 +27,7 @@
 #include "engine/haptics/sphere_grid.h"
 #include "engine/servo/servo_recording.h"
 
-namespace moltact::bench {
+namespace moltact {
 
 struct HandPath {
   std::string name;                           ///< the file's stem
@@ -57,9 +57,9 @@ HandPath handPathOf(const ServoRecording& recording, std::string name, Interacti
 /// Formats the path as rows of numbers with labels, to 0.001 A; readHandPath() reads it back.
 std::string textOf(const HandPath& path);
 
-/// Maps a device's path to a molecule at `A_per_mm`. The middle of the touching part (of the whole path if the file
-/// does not say) lies on the surface in front of the molecule's middle, +z; the axes are kept. A path on a molecule is
-/// returned unchanged.
+/// Maps a device's path to a molecule at `A_per_mm`. The middle of the touching part lies on the surface in front of
+/// the molecule's middle, +z; the axes are kept. If the file does not say which part touches, the whole path counts. A
+/// path on a molecule is returned unchanged.
 HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm);
 
-}  // namespace moltact::bench
+}  // namespace moltact
