@@ -1,5 +1,4 @@
 """A simulation in the page: OpenMM's platform Reference in a worker, against the native one and against closed forms."""
-import json
 import math
 import os
 import re
@@ -7,6 +6,7 @@ import subprocess
 
 from files_tests import FilesTest
 from page import DESKTOP, PAGE, ROOT
+from simulation_driver import drive
 
 LESSON = """---
 title: Alive
@@ -28,31 +28,7 @@ say: Touch it.
 ```
 """
 
-# A simulation of a molecule of the program, driven as engine/dynamics/begin_simulation_web.cpp drives it. The rows of
-# numbers are those of engine/dynamics/simulation_message.cpp.
-DRIVE = """
-async function drive(name, hold) {
-  const read = (file) => new TextDecoder().decode(moltact.FS.readFile("/moltact/molecules/" + file));
-  const at = read(name + ".pdb").split("\\n").filter((l) => /^(ATOM|HETATM)/.test(l))
-      .flatMap((l) => [30, 38, 46].map((k) => Number(l.slice(k, k + 8))));
-  const all = moltact.simulations;
-  const number = all.open(read(name + ".xml"), Float64Array.from([300, 2, hold, 1, 0, ...at]));
-  const next = async () => {
-    for (let k = 0; k < 2000; ++k) {
-      const kind = all.news(number);
-      if (kind) return {kind, text: all.text(number), numbers: Array.from(all.numbers(number))};
-      await new Promise((done) => setTimeout(done, 5));
-    }
-    throw new Error("no answer");
-  };
-  const ask = async (elapsed_s, running, ps_per_s, pushes = []) => {
-    all.ask(number, Float64Array.from([elapsed_s, running, ps_per_s, 300, 0, 0, 0, ...pushes]));
-    const n = (await next()).numbers;
-    return {potential: n[2], kelvin: n[4], ps: n[1], blow_ups: n[7], starts: n[6], at: n.slice(9)};
-  };
-  return {number, first: await next(), ask, end: () => all.close(number)};
-}
-"""
+DIPEPTIDE = ROOT / "molecules" / "alanine-dipeptide.pdb"
 
 
 class SimulationTest(FilesTest):
@@ -60,12 +36,6 @@ class SimulationTest(FilesTest):
         browser = self.browser()
         browser.open(PAGE.as_uri())
         return browser
-
-    def drive(self, browser, body):
-        """What a JavaScript function says that has `s`, a simulation of alanine dipeptide held by its centre."""
-        return json.loads(browser.evaluate(
-            "(async () => {" + DRIVE + "const s = await drive('alanine-dipeptide', 5); const out = await (async () => {" + body
-            + "})(); s.end(); return JSON.stringify(out); })()", patience_s=180))
 
     def lesson(self, browser, molecule="alanine-dipeptide", system="alanine-dipeptide.xml", **files):
         folder = self.folder()
@@ -87,7 +57,7 @@ class Module(SimulationTest):
                                 capture_output=True, text=True, env={**os.environ, "MOLTACT_HOME": str(ROOT)})
         self.assertEqual(native.returncode, 0, native.stderr)
         wanted = float(re.search(r"at the start (\S+) kcal/mol", native.stdout)[1])
-        got = self.drive(self.page(), "const f = await s.ask(0, 0, 1); return [s.first, f.potential, f.ps];")
+        got = drive(self.page(), DIPEPTIDE, "const f = await s.ask(0, 0, 1); return [s.first, f.potential, f.ps];")
         self.assertEqual(got[0]["kind"], 1, got[0]["text"])
         name, platform = got[0]["text"].split("\n")
         self.assertRegex(name, r"^OpenMM \d")
@@ -102,14 +72,14 @@ class Module(SimulationTest):
 
     def test_in_400_ps_its_mean_temperature_is_that_of_the_bath_within_four_sampling_errors_of_3_K(self):
         # The temperature of 51 degrees of freedom varies by 300 K sqrt(2 / 51); samples 1 ps apart are independent.
-        mean = self.drive(self.page(), """let sum = 0;
+        mean = drive(self.page(), DIPEPTIDE, """let sum = 0;
             for (let k = 0; k < 450; ++k) { const f = await s.ask(0.1, 1, 10); if (k >= 50) sum += f.kelvin; }
             return sum / 400;""")
         print(f"mean temperature {mean:.1f} K")
         self.assertLess(abs(mean - 300.0), 4 * 300.0 * math.sqrt(2 / 51 / 400))
 
     def test_a_push_moves_its_atom_to_the_plane_of_the_spring_and_the_other_way_when_it_points_the_other_way(self):
-        moved = self.drive(self.page(), """const first = await s.ask(0, 0, 1); const out = [];
+        moved = drive(self.page(), DIPEPTIDE, """const first = await s.ask(0, 0, 1); const out = [];
             for (const sign of [1, -1]) {
               const x = first.at[3 * 8] + 2 * sign;
               const push = [8, x, first.at[25], first.at[26], sign, 0, 0, 100];
@@ -123,7 +93,7 @@ class Module(SimulationTest):
         self.assertLess(moved[1], -1.5)
 
     def test_a_run_that_blows_up_stands_at_its_beginning_and_goes_on_when_it_is_started_again(self):
-        got = self.drive(self.page(), """const first = await s.ask(0, 0, 1);
+        got = drive(self.page(), DIPEPTIDE, """const first = await s.ask(0, 0, 1);
             const grip = [8, 500, 0, 0, 0, 0, 0, 1e6];
             let f = first;
             for (let k = 0; k < 20 && !f.blow_ups; ++k) f = await s.ask(0.1, 1, 10, grip);
