@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kPushNumbers = 8;
 
-void add(std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); }
+void appendPoint(std::vector<double>& to, const Vec3& v) { to.insert(to.end(), {v.x, v.y, v.z}); }
 
 // Reads numbers in the order in which they were written.
 class NumberRow {
@@ -32,7 +32,7 @@ class NumberRow {
 
 constexpr std::size_t kCommandHead = 7, kFrameHead = 9, kStartHead = 5;
 
-bool fits(std::span<const double> numbers, std::size_t head, std::size_t each) {
+bool rowFits(std::span<const double> numbers, std::size_t head, std::size_t each) {
   return numbers.size() >= head && (numbers.size() - head) % each == 0;
 }
 
@@ -44,15 +44,15 @@ std::vector<double> numbersOf(const TimedCommand& timed) {
                           double(c.singles), double(c.relaxations), double(c.restarts)};
   for (const AtomPush& p : c.pushes) {
     out.push_back(p.atom);
-    add(out, p.to_A);
-    add(out, p.direction);
+    appendPoint(out, p.to_A);
+    appendPoint(out, p.direction);
     out.push_back(p.stiffness_kcal_mol_A2);
   }
   return out;
 }
 
 std::optional<TimedCommand> commandOf(std::span<const double> numbers) {
-  if (!fits(numbers, kCommandHead, kPushNumbers)) return std::nullopt;
+  if (!rowFits(numbers, kCommandHead, kPushNumbers)) return std::nullopt;
   NumberRow row(numbers);
   TimedCommand out;
   SimulationCommand& c = out.command;
@@ -79,12 +79,12 @@ std::vector<double> numbersOf(const SimulationFrame& f) {
   std::vector<double> out{double(f.serial), f.time_ps,        e.potential_kcal_mol, e.kinetic_kcal_mol, e.temperature_K,
                           f.ps_per_s,       double(f.starts), double(f.blow_ups),   double(f.dead)};
   out.reserve(out.size() + 3 * f.positions_A.size());
-  for (const Vec3& v : f.positions_A) add(out, v);
+  for (const Vec3& v : f.positions_A) appendPoint(out, v);
   return out;
 }
 
 std::optional<SimulationFrame> frameOf(std::span<const double> numbers) {
-  if (!fits(numbers, kFrameHead, 3)) return std::nullopt;
+  if (!rowFits(numbers, kFrameHead, 3)) return std::nullopt;
   NumberRow row(numbers);
   SimulationFrame out;
   out.serial = std::uint64_t(row.number());
@@ -102,12 +102,12 @@ std::optional<SimulationFrame> frameOf(std::span<const double> numbers) {
 
 std::vector<double> numbersOf(const MdStart& s) {
   std::vector<double> out{s.temperature_K, s.friction_per_ps, s.hold_kcal_mol_A2, double(s.seed), s.step_ps};
-  for (const Vec3& v : s.positions_A) add(out, v);
+  for (const Vec3& v : s.positions_A) appendPoint(out, v);
   return out;
 }
 
 std::optional<MdStart> startOf(std::span<const double> numbers) {
-  if (!fits(numbers, kStartHead, 3)) return std::nullopt;
+  if (!rowFits(numbers, kStartHead, 3)) return std::nullopt;
   NumberRow row(numbers);
   MdStart out;
   out.temperature_K = row.number();
