@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPicoseconds_per_nanosecond = 1000.0;
 
-std::string timeText(double ps) {
+std::string frameTimeText(double ps) {
   return ps >= kPicoseconds_per_nanosecond
              ? quantityNumber(ps / kPicoseconds_per_nanosecond, Dimension::None, decimals(3)) + " ns"
              : quantityNumber(ps, Dimension::None, decimals(3)) + " ps";
@@ -44,7 +44,7 @@ void printTrajectoryInfo(const std::string& name, bool json) {
   out() << "atoms     " << file.atoms() << '\n';
   out() << "frames    " << file.frames() << '\n';
   if (first->time_ps && last->time_ps)
-    out() << "time      " << timeText(*first->time_ps) << " to " << timeText(*last->time_ps) << '\n';
+    out() << "time      " << frameTimeText(*first->time_ps) << " to " << frameTimeText(*last->time_ps) << '\n';
   if (first->cell_A)
     out() << "cell      " << quantityNumber(edges.x, Dimension::Length, decimals(1)) << " x "
           << quantityNumber(edges.y, Dimension::Length, decimals(1)) << " x "

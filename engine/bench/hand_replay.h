@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/bench/felt.h"
-#include "engine/servo/hand_path.h"
 #include "engine/bench/timing.h"
+#include "engine/servo/hand_path.h"
 
 namespace moltact::bench {
 

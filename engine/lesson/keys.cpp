@@ -6,8 +6,8 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/facts.h"
 #include "engine/lesson/reading_keys.h"
-#include "engine/lesson/touch_keys.h"
 #include "engine/lesson/scene_movers.h"
+#include "engine/lesson/touch_keys.h"
 #include "engine/molecule/view_part.h"
 #include "engine/structure/colouring.h"
 

@@ -59,7 +59,11 @@ std::size_t dropWaters(MoleculeStorage& grown) {
 }  // namespace
 
 MoleculeBuilder::MoleculeBuilder(const TextSource& text, const ReadOptions& options, bool has_charges)
-    : options_(options), radii_(radiusTable(options.radii)), text_(text), file_(text.file()), out_(!options.assembly.empty(), has_charges) {}
+    : options_(options),
+      radii_(radiusTable(options.radii)),
+      text_(text),
+      file_(text.file()),
+      out_(!options.assembly.empty(), has_charges) {}
 
 // The length of a line is estimated from the first lines. The arrays of the molecule are then allocated once for all
 // atoms, because growing a list holds both copies for a while.

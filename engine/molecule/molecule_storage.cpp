@@ -23,8 +23,9 @@ void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expecte
 // The heap memory of a text, including the overhead of an allocation.
 std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::kInside ? text.size() + 16 : 0; }
 
-// The memory of an entry of label_numbers_ with its bucket and the overhead of an allocation.
-constexpr std::size_t kMapEntryBytes = sizeof(std::pair<std::string, std::uint32_t>) + 40;
+// Residues whose atoms are apart in the file, such as by waters between them, are joined if fewer than so many other
+// label chains lie between.
+constexpr std::size_t kLastLabels = 16;
 
 }  // namespace
 
@@ -89,9 +90,12 @@ void MoleculeStorage::put(std::size_t at, const PlacedAtom& atom, float charge_e
       makeRoom(label_of_, m.atoms.size(), expected);
       std::uint32_t number = static_cast<std::uint32_t>(labels_.size());
       if (!names_label_chains_ && !label_chain_.empty()) {
-        const auto [known, is_new] =
-            label_numbers_.try_emplace(label_chain_, static_cast<std::uint32_t>(label_numbers_.size() + 1));
-        if (is_new) text_bytes_ += kMapEntryBytes + heapBytes(label_chain_);
+        auto known = std::find_if(last_labels_.begin(), last_labels_.end(),
+                                  [&](const auto& label) { return label.first == label_chain_; });
+        if (known == last_labels_.end()) {
+          if (last_labels_.size() == kLastLabels) last_labels_.pop_back();
+          known = last_labels_.insert(last_labels_.begin(), {label_chain_, ++label_count_});
+        }
         number = known->second;
       }
       label_of_.push_back(label_chain_.empty() ? 0 : number);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "engine/core/problem.h"
@@ -38,7 +38,7 @@ class MoleculeStorage {
     char insertion = ' ';
     RecordedStructure recorded{};
   };
-  /// `names_label_chains`: keeps the names of label chains for a later assembly; otherwise only numbers.
+  /// `names_label_chains`: keeps the names of label chains for a later assembly; otherwise only their identity is kept.
   /// `has_charges`: the atoms have partial charges.
   explicit MoleculeStorage(bool names_label_chains = false, bool has_charges = false)
       : names_label_chains_(names_label_chains), has_charges_(has_charges) {}
@@ -67,7 +67,7 @@ class MoleculeStorage {
   std::size_t bytes() const;
   /// Completes the last residue.
   void close();
-  /// The label_chain of a residue; without names, a text that is the same for equal labels alone.
+  /// The label_chain of a residue; without names, a text that identifies it.
   std::string_view labelChain(std::size_t residue) const;
   bool namesLabelChains() const { return names_label_chains_; }
   bool hasCharges() const { return has_charges_; }
@@ -78,11 +78,12 @@ class MoleculeStorage {
  private:
   bool names_label_chains_, has_charges_;
   std::string label_chain_;  // of the last residue
-  // Per residue: index into labels_ from 1, or without names its number in label_numbers_; 0: none. Empty if no
-  // residue has one.
+  // Per residue: index into labels_ from 1, or without names the label's number; 0: none. Empty if no residue has one.
   std::vector<std::uint32_t> label_of_;
-  // Without names: the number of each label so far, from 1.
-  std::unordered_map<std::string, std::uint32_t> label_numbers_;
+  // Without names: the last labels with their numbers, the newest in front. A label that comes back after many others
+  // gets another number; equal numbers always mean equal labels.
+  std::vector<std::pair<std::string, std::uint32_t>> last_labels_;
+  std::uint32_t label_count_ = 0;  // numbers given so far
   std::vector<ShortText> labels_;  // one for each run of equal labels
   std::size_t text_bytes_ = 0;     // of names too long for a ShortText's own storage
 };

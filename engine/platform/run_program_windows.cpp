@@ -34,8 +34,8 @@ Expected<int> becomeProgram(const std::vector<std::string>& words) {
   for (const std::wstring& word : wide) arguments.push_back(word.c_str());
   arguments.push_back(nullptr);
   const std::string program = words.empty() ? std::string() : words[0];
-  const std::intptr_t status = _wspawnv(
-      _P_WAIT, std::filesystem::path(std::u8string(program.begin(), program.end())).c_str(), arguments.data());
+  const std::intptr_t status =
+      _wspawnv(_P_WAIT, std::filesystem::path(std::u8string(program.begin(), program.end())).c_str(), arguments.data());
   if (status == -1)
     return Problem{program, 0, 0, trf("it cannot be started ({0})", std::generic_category().message(errno)), {}};
   return int(status);

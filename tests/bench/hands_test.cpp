@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "engine/bench/felt.h"
-#include "engine/servo/hand_path.h"
 #include "engine/bench/hand_replay.h"
 #include "engine/bench/scenes.h"
 #include "engine/bench/touch_thresholds.h"
 #include "engine/haptics/exact/exact_tracker.h"
+#include "engine/servo/hand_path.h"
 
 using namespace moltact;
 using namespace moltact::bench;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/servo/hand_path.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
+#include "engine/servo/hand_path.h"
 #include "engine/servo/playback_device.h"
 #include "engine/servo/servo_recording.h"
 #include "tests/fuzz/recording_maker.h"

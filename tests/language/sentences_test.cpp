@@ -108,7 +108,8 @@ TEST_CASE(
       {"engine/lesson/scripted_learner/scripted_learner.cpp", 1},  // an answer
       {"engine/device/hid/space_mouse.cpp", 1},                    // a maker's name
       {"engine/servo/device_check.cpp", 99},                       // `moltact device check`, in a terminal
-      {"engine/servo/force_monitor.h", 9},                         // its findings
+      {"engine/servo/hand_path.cpp", 99},   // `moltact device path` and `moltact bench`, in a terminal
+      {"engine/servo/force_monitor.h", 9},  // its findings
       {"engine/servo/playback_device.h", 1},
       {"engine/molecule/molecule_key.cpp", 1},          // part of a key
       {"engine/platform/shared_library_linux.cpp", 1},  // a message of the system

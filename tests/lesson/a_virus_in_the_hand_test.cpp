@@ -105,8 +105,8 @@ TEST_CASE(
 TEST_CASE(
     "five knobs 72 degrees apart stand round the tip of a spike, three round a place of three, two across a border") {
   SAYS(lineSaying(kLesson,
-                     "stand 10 Å from the five-fold axis, of Ser 188 (F) 4.3 Å from the three-fold, of Asp 80 (F) 7.4 "
-                     "Å from the two-fold"));
+                  "stand 10 Å from the five-fold axis, of Ser 188 (F) 4.3 Å from the three-fold, of Asp 80 (F) 7.4 "
+                  "Å from the two-fold"));
   SAYS(lineSaying(kLesson, "threonine 92 (an amino acid; the number is its place in the chain)"));
   struct Place {
     const char* text;

@@ -32,7 +32,7 @@ TEST_CASE(
 
 TEST_CASE("on the core, the lid moves by 15 A in the mean and 24 A at most, the small door by 10 A and 18 A") {
   SAYS(lineSaying(kLesson,
-                     "move by 15 Å in the mean and 24 Å at most, those of the small door (30-59) by 10 Å and 18 Å"));
+                  "move by 15 Å in the mean and 24 Å at most, those of the small door (30-59) by 10 Å and 18 Å"));
   SAYS(lineSaying(kLesson, "The tip of the lid has moved by up to 24 Å"));
   SAYS(lineSaying(kLesson, "the lid turns by 52° and the"));
   SAYS(lineSaying(kLesson, "small door by 45°. Over all the RMSD is 7.1 Å"));

@@ -113,7 +113,7 @@ TEST_CASE(
     "on the three inner pieces of the fibril a probe touches side chains 18, 20, 22 and 24 from every sixth direction, "
     "19, 21 and 23 from fewer than one in thirty") {
   SAYS(linesSaying(kCoils, {"Every second one. Numbers 19, 21 and 23 lie on the other side",
-                               "On the three inner pieces a probe of 1.4 Å touches side chains 18, 20, 22 and 24"}));
+                            "On the three inner pieces a probe of 1.4 Å touches side chains 18, 20, 22 and 24"}));
   const ShippedScene s("2beg");
   for (const char* chain : {"B", "C", "D"}) {
     CAPTURE(chain);

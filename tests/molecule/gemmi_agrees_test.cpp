@@ -143,7 +143,7 @@ void dropLeftOut(gemmi::Structure& structure) {
         return at == kept.end() || at->second.place_A != Vec3(a.pos.x, a.pos.y, a.pos.z);
       });
   gemmi::remove_empty_children(structure);
-  structure.models.resize(1);
+  structure.models.erase(structure.models.begin() + 1, structure.models.end());
 }
 
 // The number of atoms of `a` that have no atom of their own in `b` of the same element within 0.001 A.
@@ -201,8 +201,8 @@ TEST_CASE("each biological assembly of the library's PDB files has the same atom
       copied += by_ours.size();
     }
   }
-  CHECK(assemblies >= 8);
-  CHECK(copied > 100'000);
+  CHECK(assemblies >= 2);  // those of 1RB8, a virus, and of 2POR, a trimer
+  CHECK(copied > 200'000);
 }
 
 }  // namespace moltact

@@ -95,7 +95,8 @@ const char* RevealPolicy::touchWord() const {
 
 std::string RevealPolicy::unnamedText(bool spoken) const {
   const ServoSample& now = scene_.log().latest();
-  std::string out = hidesTouch() ? std::string(touchWord()) : unnamedContactText(now.contact, now.felt(), now.holds_body);
+  std::string out =
+      hidesTouch() ? std::string(touchWord()) : unnamedContactText(now.contact, now.felt(), now.holds_body);
   const Vec3 push = scene_.pushInView();
   const bool shows_force = stager_.dark() ? stager_.showsForce() : scene_.shown.has(ViewPart::Force);
   if (!now.felt() || !shows_force || push == Vec3(0.0)) return out;

@@ -14,7 +14,8 @@ namespace {
 // Describes the contact, or why there is none, without the force, which fluctuates.
 std::string whatOf(const Molecule* molecule, const ServoSample& now) {
   if (molecule && now.contact.touching()) return touchedText(*molecule, now.contact, now.holds_body);
-  return now.felt() ? unnamedContactText(now.contact, true) : contactText(molecule, now.contact, 0.0, true, now.holds_body);
+  return now.felt() ? unnamedContactText(now.contact, true)
+                    : contactText(molecule, now.contact, 0.0, true, now.holds_body);
 }
 
 }  // namespace

@@ -322,7 +322,8 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   const std::string measured = measuringText(app);
   float above = bottom;  // lower edge of the next pill
   if (now.contact.fault == Fault::StartedInside) {
-    above -= l.px(8) + pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0, true, now.holds_body),
+    above -= l.px(8) + pill("view/state",
+                            contactText(app.scene.stage().molecule.get(), now.contact, 0.0, true, now.holds_body),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.warn_soft, p.warn);
   } else if (now.felt()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);

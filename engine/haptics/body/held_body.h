@@ -25,7 +25,7 @@ struct HeldBody {
   std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending; empty for bodyOfSpheres()
   /// One per atom, relative to the middle, in the molecule's axes; radii reduced by overlap_A.
   std::vector<Sphere> spheres;
-  PointA middle;         ///< mean of their centres, in the molecule; zero for bodyOfSpheres()
+  PointA middle;           ///< mean of their centres, in the molecule; zero for bodyOfSpheres()
   double overlap_A = 0.0;  ///< by which radii were reduced; 0 for bodyOfSpheres()
   double reach_A = 0.0;    ///< radius of the sphere about the middle that contains the body
 };

@@ -29,7 +29,8 @@ bool passes(const Found& f, const auto& plan) {
 }  // namespace
 
 TEST_CASE(
-    "a body that is put down in its place, led straight in from 100 sides in orientations drawn evenly, or jabbed at it "
+    "a body that is put down in its place, led straight in from 100 sides in orientations drawn evenly, or jabbed at "
+    "it "
     "for 0.3 s from 100 sides solves no 'dock' of the lessons; of 'contacts' such a press of 2 s solves at most one in "
     "ten, and put down or jabbed none") {
   std::vector<Found> found = tasksOfKind("dock");
