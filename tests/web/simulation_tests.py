@@ -72,9 +72,12 @@ class Module(SimulationTest):
 
     def test_in_400_ps_its_mean_temperature_is_that_of_the_bath_within_four_sampling_errors_of_3_K(self):
         # The temperature of 51 degrees of freedom varies by 300 K sqrt(2 / 51); samples 1 ps apart are independent.
-        mean = drive(self.page(), DIPEPTIDE, """let sum = 0;
-            for (let k = 0; k < 450; ++k) { const f = await s.ask(0.1, 1, 10); if (k >= 50) sum += f.kelvin; }
-            return sum / 400;""")
+        mean = drive(self.page(), DIPEPTIDE, """let sum = 0, samples = 0;
+            for (let next_ps = 50; samples < 400;) {
+              const f = await s.ask(0.1, 1, 10);
+              if (f.ps >= next_ps) { sum += f.kelvin; ++samples; next_ps = f.ps + 1; }
+            }
+            return sum / samples;""")
         print(f"mean temperature {mean:.1f} K")
         self.assertLess(abs(mean - 300.0), 4 * 300.0 * math.sqrt(2 / 51 / 400))
 
@@ -83,9 +86,13 @@ class Module(SimulationTest):
             for (const sign of [1, -1]) {
               const x = first.at[3 * 8] + 2 * sign;
               const push = [8, x, first.at[25], first.at[26], sign, 0, 0, 100];
-              let sum = 0;
-              for (let k = 0; k < 40; ++k) { const f = await s.ask(0.1, 1, 10, push); if (k >= 20) sum += f.at[24]; }
-              out.push(sum / 20 - first.at[24]);
+              const begun_ps = (await s.ask(0, 1, 10, push)).ps;
+              let sum = 0, samples = 0;
+              for (let f = first; f.ps < begun_ps + 40;) {
+                f = await s.ask(0.1, 1, 10, push);
+                if (f.ps > begun_ps + 20) { sum += f.at[24]; ++samples; }
+              }
+              out.push(sum / samples - first.at[24]);
             }
             return out;""")
         print(f"pushed by 2 A: moved by {moved[0]:.2f} and {moved[1]:.2f} A")
