@@ -128,6 +128,11 @@ void simulate(const RunArguments& a) {
   const int steps = int(std::ceil(a.ps / kRows / kParts / md.step_ps()));
   out() << md.atomCount() << " atoms, " << std::string(md.platform()) << ", steps of " << 1000.0 * md.step_ps()
         << " fs\n";
+  {
+    char line[96];
+    std::snprintf(line, sizeof line, "at the start %.9g kcal/mol potential", md.energies().potential_kcal_mol);
+    out() << line << '\n';
+  }
   std::vector<double> total_kcal_mol;
   double kinetic_kcal_mol = 0.0;
   const auto began = std::chrono::steady_clock::now();

@@ -448,10 +448,11 @@
   if (typeof WebAssembly !== "object" || typeof DecompressionStream !== "function")
     return say("too old");
   const hid = moltactDevices(stir);
+  const simulations = moltactSimulations(unpacked, stir);
   try {
     const [bytes, files] = await Promise.all([unpacked("program-bytes"), unpacked("file-bytes")]);
     const made = await createMoltact({
-      canvas, page, keeper, hid, wasmBinary: bytes, noInitialRun: true, print: news, printErr: (line) => console.warn(line),
+      canvas, page, keeper, hid, simulations, wasmBinary: bytes, noInitialRun: true, print: news, printErr: (line) => console.warn(line),
       onAbort: (why) => say("stopped", why),
     });
     putFiles(made.FS, files);

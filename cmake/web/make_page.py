@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Puts the browser edition into one page: make_page.py SOURCE_FOLDER BUILD_FOLDER PAGE
 
-The program (moltact.wasm) and its files (lessons, molecules, models, translations, fonts) stand in the page packed
-by gzip, in base64; page.js unpacks them. The files are one run of bytes behind a table: four bytes of its length, least
+The program (moltact.wasm), its files (lessons, molecules, models, translations, fonts) and the worker for simulations
+(moltact_openmm.js, simulation_worker.js, moltact_openmm.wasm) stand in the page packed by gzip, in base64; page.js
+unpacks them, the worker only when a scene needs it. The files are one run of bytes behind a table: four bytes of its length, least
 first, then [[path, bytes], ...] as JSON.
 """
 import base64
@@ -47,8 +48,11 @@ def main():
         "ICON": base64.b64encode((source / "assets" / "icon.png").read_bytes()).decode(),
         "PROGRAM": packed((build / "moltact.wasm").read_bytes()),
         "FILES": packed(struct.pack("<I", len(head)) + head + run),
+        "SIMULATION_PROGRAM": packed((build / "moltact_openmm.wasm").read_bytes()),
+        "SIMULATION_SCRIPT": packed((build / "moltact_openmm.js").read_bytes() + (here / "simulation_worker.js").read_bytes()),
         "LOADER": in_script((build / "moltact.js").read_text()),
         "DEVICES": in_script((here / "devices.js").read_text()),
+        "SIMULATION": in_script((here / "simulation.js").read_text()),
         "SENTENCES": in_script((here / "sentences.js").read_text()),
         "PAGE": in_script((here / "page.js").read_text()),
     }

@@ -17,6 +17,10 @@ AtomPush pushOf(std::uint32_t atom, const Vec3& at_A, const Vec3& force_kcal_mol
           stiffness_kcal_mol_A2};
 }
 
+EngineFacts factsOf(const MdEngine& engine) {
+  return {engine.name(), std::string(engine.platform()), engine.step_ps(), engine.measured_steps_per_s()};
+}
+
 void SimulationRun::blowUp(const std::string& why) {
   frame_.fault = why;
   ++frame_.blow_ups;

@@ -37,11 +37,19 @@ struct SimulationFrame {
   std::uint32_t blow_ups = 0;  ///< how often it became unstable and started again
   std::string fault;           ///< the engine's words for the last one; empty: none
   bool dead = false;           ///< it cannot be started again
+  bool lost = false;           ///< it has ended without being unstable; `fault` says why, in words for people
   // Of a simulation in another program (imd/imd_simulation.h), which may send less.
   double frames_per_s = 0.0;  ///< that arrive
   bool silent = false;        ///< none has arrived for a while: the hand must not feel the last one
   bool has_time = true, has_temperature = true, has_energy = true;
 };
+
+/// What computes a simulation; empty and 0 for another program.
+struct EngineFacts {
+  std::string name, platform;  ///< "OpenMM 7.7", "CPU"
+  double step_ps = 0.0, measured_steps_per_s = 0.0;
+};
+EngineFacts factsOf(const MdEngine& engine);
 
 class LiveSimulation {
  public:
@@ -56,6 +64,9 @@ class LiveSimulation {
   virtual void pass(double /*dt_s*/) {}
   /// Whether all members of a command have an effect; else `pushes` and `running` only.
   virtual bool obeysAll() const { return true; }
+  /// Whether it is still being prepared: there is no frame, and engine() is empty.
+  virtual bool opening() const { return false; }
+  virtual EngineFacts engine() const { return {}; }
 };
 
 /// The logic of a simulation beside a window, without a thread or a clock.
@@ -98,6 +109,7 @@ class SimulationRun {
 class SteppedSimulation final : public LiveSimulation {
  public:
   explicit SteppedSimulation(std::unique_ptr<MdEngine> engine) : run_(std::move(engine)) {}
+  EngineFacts engine() const override { return factsOf(run_.engine()); }
   const SimulationFrame& newest() override { return newest_; }
   void command(const SimulationCommand& wanted) override { wanted_ = wanted; }
   void pass(double dt_s) override { newest_ = run_.advance(wanted_, dt_s, 1'000'000); }

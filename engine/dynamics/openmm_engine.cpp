@@ -28,13 +28,16 @@ Expected<std::unique_ptr<MdEngine>> openMMEngine(const MdStart& start, const std
   if (!make)
     return Problem{file, 0, 0, trf("simulations need OpenMM, which cannot be loaded ({0})", make.problem().message),
                    tr("install the package moltact-openmm; a build from the sources needs libopenmm-dev and "
-                      "libopenmm-plugins. In a browser and on Windows there are no simulations")};
+                      "libopenmm-plugins. On Windows there are no simulations")};
   std::string why;
   std::unique_ptr<MdEngine> engine((*make)(start, why));
-  if (!engine)
-    return Problem{file, 0, 0, trf("OpenMM cannot simulate this system: {0}", why),
-                   tr("make both files again with 'moltact simulate prepare'")};
+  if (!engine) return openMMRefusal(file, why);
   return engine;
+}
+
+Problem openMMRefusal(const std::string& file, const std::string& why) {
+  return {file, 0, 0, trf("OpenMM cannot simulate this system: {0}", why),
+          tr("make both files again with 'moltact simulate prepare'")};
 }
 
 }  // namespace moltact

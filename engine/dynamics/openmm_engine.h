@@ -14,4 +14,7 @@ namespace moltact {
 /// or the system cannot be read. `file` is named by the Problem.
 Expected<std::unique_ptr<MdEngine>> openMMEngine(const MdStart& start, const std::string& file);
 
+/// That OpenMM, in its own words, cannot simulate the system in this file.
+Problem openMMRefusal(const std::string& file, const std::string& why);
+
 }  // namespace moltact

@@ -63,12 +63,10 @@ std::optional<Expected<SimulationAddress>> simulationAddress(std::string_view te
   return SimulationAddress{&*engine, *std::move(address)};
 }
 
-Expected<std::unique_ptr<MdEngine>> simulationOf(const std::filesystem::path& system, const Molecule& molecule,
-                                                 MdStart start) {
+Expected<MdStart> readStart(const std::filesystem::path& system, const Molecule& molecule, MdStart start) {
   constexpr std::size_t kLargestSystem = std::size_t(64) << 20;  // bytes
   const std::string name = system.filename().string();
-  const SimulationEngine* const reader = readerOf(system);
-  if (!reader)
+  if (!readerOf(system))
     return Problem{name, 0, 0, tr("no engine reads systems of this ending"), trf("use a file of {0}", fileEngines())};
   const std::size_t count = molecule.atoms.size();
   if (count > kMaxSimulated)
@@ -79,7 +77,15 @@ Expected<std::unique_ptr<MdEngine>> simulationOf(const std::filesystem::path& sy
   start.system = *std::move(text);
   start.positions_A.clear();
   for (const Sphere& s : molecule.spheres) start.positions_A.push_back(s.centre_A);
-  auto engine = reader->make(start, name);
+  return start;
+}
+
+Expected<std::unique_ptr<MdEngine>> simulationOf(const std::filesystem::path& system, const Molecule& molecule,
+                                                 MdStart start) {
+  const Expected<MdStart> whole = readStart(system, molecule, std::move(start));
+  if (!whole) return whole.problem();
+  const std::string name = system.filename().string();
+  auto engine = readerOf(system)->make(*whole, name);
   if (!engine) return engine;
   if (Problem fault = massFault(molecule, (*engine)->masses_u()); !fault.message.empty()) {
     fault.file = name;

@@ -47,6 +47,10 @@ struct SimulationAddress {
 /// Nothing for the name of a file. A Problem without a place if the text contains "://" and is no address of an engine.
 std::optional<Expected<SimulationAddress>> simulationAddress(std::string_view text);
 
+/// `start` with the content of the file `system` and the atoms' places. A Problem names the file: no engine reads its
+/// ending, it cannot be read, or the molecule is too large.
+Expected<MdStart> readStart(const std::filesystem::path& system, const Molecule& molecule, MdStart start);
+
 /// An engine for the system in `system`, by its ending. Its atoms are those of the molecule in their order and begin where
 /// they are; `start` has the rest. A Problem names the file.
 Expected<std::unique_ptr<MdEngine>> simulationOf(const std::filesystem::path& system, const Molecule& molecule,

@@ -1,13 +1,13 @@
 #include "engine/dynamics/simulation_thread.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 
-SimulationThread::SimulationThread(std::unique_ptr<MdEngine> engine) : run_(std::move(engine)) {
+SimulationThread::SimulationThread(std::unique_ptr<MdEngine> engine)
+    : slices_(std::move(engine)), facts_(factsOf(slices_.engine())) {
   thread_ = std::thread([this] { run(); });
 }
 
@@ -24,19 +24,12 @@ void SimulationThread::command(const SimulationCommand& wanted) {
 void SimulationThread::run() {
   const CrashStack crash_stack;
   using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
   auto last = Clock::now();
-  double rate = 1000.0;  // steps per second, measured below
   while (!ends_.load(std::memory_order_relaxed)) {
     const auto now = Clock::now();
-    const double elapsed_s = std::min(seconds(now - last), 0.1);
+    const double elapsed_s = std::chrono::duration<double>(now - last).count();
     last = now;
-    const SimulationFrame& frame =
-        run_.advance(commands_.read(), elapsed_s, std::max(1, int(rate * std::max(kMaxStep_s, elapsed_s))));
-    const double took_s = seconds(Clock::now() - now);
-    const double steps = frame.ps_per_s * elapsed_s / run_.engine().step_ps();
-    if (steps >= 5.0 && took_s > 1e-5) rate += 0.2 * (steps / took_s - rate);
-    frames_.back() = frame;
+    frames_.back() = slices_.advance(commands_.read(), elapsed_s);
     frames_.publish();
     if (run_.relaxing()) continue;
     std::this_thread::sleep_until(now +

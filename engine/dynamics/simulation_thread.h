@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "engine/core/triple_buffer.h"
-#include "engine/dynamics/live_simulation.h"
+#include "engine/dynamics/simulation_slices.h"
 
 namespace moltact {
 
@@ -21,13 +21,16 @@ class SimulationThread final : public LiveSimulation {
   const SimulationFrame& newest() override { return frames_.read(); }
   void command(const SimulationCommand& wanted) override;
 
-  /// The shortest time between two frames, and the longest that one is computed (unit: second).
-  static constexpr double kSlice_s = 0.005, kMaxStep_s = 0.02;
+  EngineFacts engine() const override { return facts_; }
+
+  /// The shortest time between two frames (unit: second).
+  static constexpr double kSlice_s = 0.005;
 
  private:
   void run();
 
-  SimulationRun run_;
+  SimulationSlices slices_;
+  const EngineFacts facts_;
   TripleBuffer<SimulationCommand> commands_;
   TripleBuffer<SimulationFrame> frames_;
   std::atomic<bool> ends_{false};

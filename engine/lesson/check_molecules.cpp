@@ -5,6 +5,8 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "engine/dynamics/begin_simulation.h"
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/field/force_choices.h"
@@ -53,6 +55,7 @@ class Check {
         selects(step.scene.in_hand, places.in_hand, *molecule);
         holds(step.scene, *molecule);
         hasCharges(step.scene, *molecule);
+        fitsInPage(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
           for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
@@ -143,6 +146,16 @@ class Check {
     if (!held.empty() && untouchableAtoms(scene, molecule).size() == molecule.atoms.size())
       findings_.error(scene.places.in_hand, tr("the hand holds all there is, and nothing is left to feel"),
                       tr("name fewer atoms"));
+  }
+
+  // The desktop program simulates larger molecules than a page can.
+  void fitsInPage(const SceneSpec& scene, const Molecule& molecule) {
+    if (scene.simulation.empty() || simulationAddress(scene.simulation)) return;
+    if (molecule.atoms.size() <= kMaxSimulatedInPage) return;
+    findings_.warning(scene.places.simulation,
+                      trf("a page in a browser simulates at most {0} atoms: it shows this molecule, of {1}, at rest",
+                          kMaxSimulatedInPage, molecule.atoms.size()),
+                      tr("take a part of it, or have students use the desktop program"));
   }
 
   /// The file must contain the charges that the scene uses.

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "engine/dynamics/simulation_slices.h"
+
 using namespace moltact;
 
 namespace {
@@ -206,6 +208,18 @@ TEST_CASE(
     CHECK(b.engine->done == 25);
     CHECK(frame.fault.empty());
   }
+}
+
+TEST_CASE("slices: 10 s and -1 s of the window's time count as 0.1 s and none; facts are the engine's") {
+  SimulationSlices slices(std::make_unique<Straight>());
+  SimulationCommand wanted;
+  wanted.ps_per_s = 0.4;  // 10 steps in 0.1 s, fewer than any first slice may make
+  CHECK(slices.advance(wanted, 10.0).time_ps == doctest::Approx(0.04));
+  CHECK(slices.advance(wanted, -1.0).time_ps == doctest::Approx(0.04));
+  const EngineFacts facts = factsOf(slices.engine());
+  CHECK(facts.name == "Straight");
+  CHECK(facts.platform == "straight");
+  CHECK(facts.step_ps == Straight::kStep_ps);
 }
 
 TEST_CASE("an engine that cannot even start again is dead, and is not called any more") {

@@ -56,6 +56,27 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
   CHECK(check.lesson.has_value());
 }
 
+TEST_CASE("a simulated molecule of 501 atoms, more than a page simulates, is a warning; one of 500 is none") {
+  const auto warned = [](std::size_t atoms) {
+    Molecule molecule = mixedMolecule();
+    std::vector<Atom> many(molecule.atoms.begin(), molecule.atoms.end());
+    std::vector<Sphere> spheres(molecule.spheres.begin(), molecule.spheres.end());
+    many.resize(atoms, many.back());
+    spheres.resize(atoms, spheres.back());
+    molecule.atoms = std::move(many);
+    molecule.spheres = std::move(spheres);
+    const auto shared = std::make_shared<const Molecule>(std::move(molecule));
+    const auto large = [&](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> { return shared; };
+    return texts(
+        checkLesson("l.md", kHead + "## One step\n```scene\nmolecule: mix\nsimulation: mix.xml\n```\nText.\n", large)
+            .warnings);
+  };
+  CHECK(warned(500).empty());
+  CHECK(warned(501) ==
+        Texts{"l.md:12:13: a page in a browser simulates at most 500 atoms: it shows this molecule, of 501, at rest; "
+              "take a part of it, or have students use the desktop program"});
+}
+
 TEST_CASE(
     "a lesson's name gives its language; an ending that is not a language is a warning, a "
     "contradiction an error") {

@@ -10,7 +10,6 @@
 #include "app/ui/extensions/displacement_text.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
-#include "engine/dynamics/simulation_thread.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
@@ -22,25 +21,24 @@ namespace {
 namespace fs = std::filesystem;
 
 // English in every language, as the other words of attempts.
-std::string engineText(const MdEngine& engine) {
+std::string engineText(const EngineFacts& engine) {
   char text[160];
-  std::snprintf(text, sizeof text, "%s, %s, steps of %g fs, seed %u", engine.name().c_str(),
-                std::string(engine.platform()).c_str(), 1000.0 * engine.step_ps(), unsigned(MdStart().seed));
+  std::snprintf(text, sizeof text, "%s, %s, steps of %g fs, seed %u", engine.name.c_str(), engine.platform.c_str(),
+                1000.0 * engine.step_ps, unsigned(MdStart().seed));
   return text;
 }
 
 }  // namespace
 
 Expected<LiveMolecule::Opened> LiveMolecule::openFile(const fs::path& system,
-                                                      const std::shared_ptr<const Molecule>& molecule) {
+                                                      const std::shared_ptr<const Molecule>& molecule,
+                                                      SimulationPace pace) {
   try {
     MdStart start;
     start.temperature_K = kUsual_K;
     start.friction_per_ps = kFriction_per_ps;
     start.hold_kcal_mol_A2 = kHold_kcal_mol_A2;
-    auto engine = simulationOf(system, *molecule, std::move(start));
-    if (!engine) return engine.problem();
-    return Opened{*std::move(engine), nullptr};
+    return beginSimulation(system, molecule, std::move(start), pace);
   } catch (const std::exception& e) {
     return Problem{system.filename().string(), 0, 0, trf("the simulation cannot begin: {0}", e.what()), {}};
   }
@@ -51,9 +49,7 @@ Expected<LiveMolecule::Opened> LiveMolecule::openAddress(const SimulationAddress
                                                          const std::shared_ptr<const std::atomic<bool>>& cancelled) {
   std::vector<Vec3> start_A;
   for (const Sphere& s : molecule->spheres) start_A.push_back(s.centre_A);
-  auto simulation = address.engine->connect(address.at, std::move(start_A), cancelled);
-  if (!simulation) return simulation.problem();
-  return Opened{nullptr, *std::move(simulation)};
+  return address.engine->connect(address.at, std::move(start_A), cancelled);
 }
 
 void LiveMolecule::forget() {
@@ -157,7 +153,9 @@ void LiveMolecule::begin() {
     messages_.error(problem_);
     return;
   }
-  opening_.begin(inBackground(openFile, file, molecule_));
+  opening_.begin(
+      inBackground(openFile, file, molecule_,
+                   options_.clock == ServoClock::Frames ? SimulationPace::Frames : SimulationPace::OwnClock));
   if (options_.clock == ServoClock::Frames) take(*opening_.wait());
 }
 
@@ -197,20 +195,9 @@ void LiveMolecule::fail(std::string why) {
 
 void LiveMolecule::take(Expected<Opened> opened) {
   if (!opened) return fail(opened.problem().text());
-  const std::unique_ptr<MdEngine>& engine = opened->engine;
-  platform_ = engine ? engine->platform() : "";
-  engine_name_ = engine ? engine->name() : std::string();
-  engine_ = engine ? engineText(*engine) : agreed_;
-  measured_steps_per_s_ = engine ? engine->measured_steps_per_s() : 0.0;
-  step_ps_ = engine ? engine->step_ps() : 0.0;
   wanted_ = {};
   frame_ = {};
-  if (!engine)
-    simulation_ = std::move(opened->elsewhere);
-  else if (options_.clock == ServoClock::RealThread)
-    simulation_ = std::make_unique<SimulationThread>(std::move(opened->engine));
-  else
-    simulation_ = std::make_unique<SteppedSimulation>(std::move(opened->engine));
+  simulation_ = *std::move(opened);
   plots_ = {PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
   scene_.servo().loop().wantImpulses(true);
   startAgain();
@@ -359,8 +346,8 @@ void LiveMolecule::beforeTicks() {
 
 void LiveMolecule::readFrame(double dt_s) {
   const SimulationFrame& newest = simulation_->newest();
+  if (newest.lost) return lose(newest.fault);
   if (newest.positions_A.size() != smooth_A_.size()) return;  // none yet
-  if (newest.dead && !simulation_->obeysAll()) return lose(newest.fault);
   const bool unstable = newest.blow_ups != frame_.blow_ups;
   // The hand must not feel what has stopped to follow it.
   const bool again = newest.starts != frame_.starts || newest.silent != frame_.silent;
@@ -415,11 +402,13 @@ std::vector<Sphere> LiveMolecule::placed() const {
 }
 
 std::optional<AtomsMoved> LiveMolecule::position() const {
-  if (!simulation_) return std::nullopt;
+  if (!ready()) return std::nullopt;
+  const EngineFacts engine = simulation_->engine();
   std::vector<Vec3> by;
   if (smooth_A_.size() <= kMaxRecorded)
     for (std::size_t i = 0; i < smooth_A_.size(); ++i) by.push_back(smooth_A_[i] - molecule_->spheres[i].centre_A);
-  return AtomsMoved{{}, {}, textOfDisplacements(by), frame_.time_ps, engine_};
+  return AtomsMoved{
+      {}, {}, textOfDisplacements(by), frame_.time_ps, engine.name.empty() ? agreed_ : engineText(engine)};
 }
 
 // A simulation is not repeated: the recorded displacements are shown. A large molecule, of which none are recorded, stays

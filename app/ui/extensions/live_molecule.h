@@ -1,6 +1,6 @@
 // A molecule whose atoms a simulation moves (engine/dynamics/live_simulation.h): the hand's contacts push the atoms, and
-// the touched surface follows them. The simulation runs on a thread of its own; where the window's clock is its frames,
-// between frames. It may also run in another program (engine/dynamics/imd), on another computer only after the user has
+// the touched surface follows them. The simulation runs on a thread of its own, in a page in a worker; where the window's
+// clock is its frames, between frames. It may also run in another program (engine/dynamics/imd), on another computer only after the user has
 // agreed to the address. Window's thread. Units: angstrom, kcal/mol, picosecond, piconewton.
 #pragma once
 
@@ -13,6 +13,7 @@
 
 #include "app/ui/extensions/atom_mover.h"
 #include "app/ui/widgets/plot_buffer.h"
+#include "engine/dynamics/begin_simulation.h"
 #include "engine/dynamics/simulation_engines.h"
 #include "engine/platform/background.h"
 
@@ -66,8 +67,8 @@ class LiveMolecule : public AtomMover {
   bool obeysAll() const { return simulation_ && simulation_->obeysAll(); }
   /// Why it cannot be simulated in this scene, as a sentence; empty if it can.
   std::string unavailable() const;
-  bool opening() const { return opening_.busy(); }
-  bool ready() const { return simulation_ != nullptr; }
+  bool opening() const { return opening_.busy() || (simulation_ && simulation_->opening()); }
+  bool ready() const { return simulation_ && !simulation_->opening(); }
   const std::string& problem() const { return problem_; }
 
   /// What the simulation is asked for; the panel changes it.
@@ -93,12 +94,7 @@ class LiveMolecule : public AtomMover {
 
   /// The newest state of the simulation.
   const SimulationFrame& frame() const { return frame_; }
-  /// "OpenMM 7.7"; empty for another program.
-  const std::string& engineName() const { return engine_name_; }
-  /// "CPU", and the steps per second measured at the start; empty and 0 for another program.
-  const std::string& platform() const { return platform_; }
-  double measuredStepsPerS() const { return measured_steps_per_s_; }
-  double step_ps() const { return step_ps_; }
+  EngineFacts engine() const { return simulation_ ? simulation_->engine() : EngineFacts(); }
   /// Size of the force with which the hand pushes or pulls the atoms.
   double push_pN() const { return push_pN_; }
   struct Plots {
@@ -107,13 +103,9 @@ class LiveMolecule : public AtomMover {
   const Plots& plots() const { return plots_; }
 
  private:
-  /// One of the two.
-  struct Opened {
-    std::unique_ptr<MdEngine> engine;
-    std::unique_ptr<LiveSimulation> elsewhere;
-  };
-  static Expected<Opened> openFile(const std::filesystem::path& system,
-                                   const std::shared_ptr<const Molecule>& molecule);
+  using Opened = std::unique_ptr<LiveSimulation>;
+  static Expected<Opened> openFile(const std::filesystem::path& system, const std::shared_ptr<const Molecule>& molecule,
+                                   SimulationPace pace);
   static Expected<Opened> openAddress(const SimulationAddress& address, const std::shared_ptr<const Molecule>& molecule,
                                       const std::shared_ptr<const std::atomic<bool>>& cancelled);
   std::filesystem::path system() const;
@@ -144,9 +136,7 @@ class LiveMolecule : public AtomMover {
   NewestWork<Expected<Opened>> opening_;
   std::shared_ptr<std::atomic<bool>> cancelled_;  // of the connection that is being made
   std::unique_ptr<LiveSimulation> simulation_;
-  std::string problem_, platform_, engine_name_;
-  std::string engine_;  // as attempts name it
-  double measured_steps_per_s_ = 0.0, step_ps_ = 0.0;
+  std::string problem_;
   SimulationCommand wanted_;
   SimulationFrame frame_;
   std::vector<Vec3> smooth_A_;      // the atoms as they are felt

@@ -161,10 +161,11 @@ bool drawSimulationSection(Application& app) {
                    Font::Small);
     return true;
   }
+  const EngineFacts engine = live.engine();
   simulationLine(
       "simulation/engine",
-      trf("{0} computes on {1}: {2} steps of {3} fs in a second at most.", live.engineName(), live.platform(),
-          numberText(live.measuredStepsPerS(), significant(2)), numberText(1000.0 * live.step_ps(), decimals(1))),
+      trf("{0} computes on {1}: {2} steps of {3} fs in a second at most.", engine.name, engine.platform,
+          numberText(engine.measured_steps_per_s, significant(2)), numberText(1000.0 * engine.step_ps, decimals(1))),
       Font::Small);
   return true;
 }

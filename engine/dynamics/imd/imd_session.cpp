@@ -196,7 +196,7 @@ void ImdSession::lost() {
 
 void ImdSession::end(Problem why) {
   problem_ = std::move(why);
-  frame_.dead = true;
+  frame_.dead = frame_.lost = true;
   frame_.fault = problem_->text();
   ++frame_.serial;
   leave();
