@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "engine/core/problem.h"
 #include "engine/dynamics/md_engine.h"
@@ -25,6 +26,9 @@ inline constexpr std::size_t kMaxSimulated = 5000;
 
 /// Where a molecule's system is looked for: beside its file, with the ending .xml. It may not exist.
 std::filesystem::path systemBeside(const std::filesystem::path& molecule_file);
+
+/// The masses of the molecule's atoms by their elements; 1 u where the element is unknown (unit: dalton).
+std::vector<double> massesOf(const Molecule& molecule);
 
 /// Why these masses are not those of the molecule's atoms in their order, as a Problem without a file; an empty message
 /// if they are. Hydrogens may be heavier by mass that their neighbours gave them.

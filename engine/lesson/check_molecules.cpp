@@ -49,6 +49,7 @@ class Check {
         selects(step.scene.untouchable, places.untouchable, *molecule);
         selects(step.scene.remove, places.remove, *molecule);
         selects(step.scene.in_hand, places.in_hand, *molecule);
+        selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule));
         holds(step.scene, *molecule);
         hasCharges(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);

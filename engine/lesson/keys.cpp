@@ -297,6 +297,21 @@ std::vector<KeySpec> sceneKeys() {
                   "makes it. Or 'imd://127.0.0.1:8888', the numeric address and the port of a simulation in another "
                   "program that speaks IMD (GROMACS, LAMMPS, NAMD); one on another computer is connected when the "
                   "student presses a button. 'none' ends it."},
+      {.name = "pull",
+       .type = ValueType::Target,
+       .meaning = "What the hand pulls in a simulation, by a spring: 'atom' the atom that a press touches first, "
+                  "'residue' its whole residue, a selection all of these atoms at their centre of mass when a press "
+                  "touches one of them. The spring is as stiff as 'stiffness' and the scale make it. With 'none' the "
+                  "hand pushes what it touches.",
+       .fallback = "none",
+       .words = {"none", "atom", "residue"}},
+      {.name = "temperature",
+       .type = ValueType::Quantity,
+       .meaning = "The temperature of the simulation's heat bath, in kelvin.",
+       .fallback = "300",
+       .dimension = Dimension::None,
+       .min = 1.0,
+       .max = 600.0},
       {.name = "trajectory",
        .type = ValueType::Text,
        .meaning =
