@@ -107,6 +107,13 @@ std::filesystem::path systemBeside(const std::filesystem::path& molecule_file) {
   return first;
 }
 
+std::vector<double> massesOf(const Molecule& molecule) {
+  std::vector<double> out;
+  for (const auto& atom : molecule.atoms)
+    out.push_back(atom.atomic_number > 0 ? gemmi::Element(atom.atomic_number).weight() : 1.0);
+  return out;
+}
+
 Problem massFault(const Molecule& molecule, std::span<const double> masses_u) {
   const std::string remedy = tr("use the molecule's file that 'moltact simulate prepare' wrote beside the system");
   const std::size_t count = molecule.atoms.size();

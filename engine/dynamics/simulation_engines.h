@@ -62,6 +62,9 @@ inline constexpr std::size_t kMaxSimulated = 5000;
 /// the first engine's would have.
 std::filesystem::path systemBeside(const std::filesystem::path& molecule_file);
 
+/// The masses of the molecule's atoms by their elements; 1 u where the element is unknown (unit: dalton).
+std::vector<double> massesOf(const Molecule& molecule);
+
 /// Why these masses are not those of the molecule's atoms in their order, as a Problem without a file; an empty message
 /// if they are. Hydrogens may be heavier by mass that their neighbours gave them.
 Problem massFault(const Molecule& molecule, std::span<const double> masses_u);

@@ -1,6 +1,6 @@
-// The hand holds atoms of the scene by a spring between itself and their centre: a simulated molecule follows. The spring
-// has the stiffness of the felt spring and replaces the contact. The distance at the start counts as no stretch. Haptic
-// thread but for the constructor. Units: angstrom, newton of the hand.
+// The hand holds atoms of the scene by a spring between itself and their centre of mass: a simulated molecule follows. The
+// spring has the stiffness of the felt spring and replaces the contact. The distance at the start counts as no stretch.
+// Haptic thread but for the constructor. Units: angstrom, newton of the hand.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,22 @@ namespace moltact {
 class PullSpring final : public WrappedInteraction {
  public:
   /// `inner` is not felt meanwhile; it follows the motion and the probe's size. `atoms`: at least one, indices of
-  /// `spheres`, which are those of the scene at this moment.
-  PullSpring(std::unique_ptr<Interaction> inner, std::vector<std::uint32_t> atoms, std::span<const Sphere> spheres)
-      : WrappedInteraction(std::move(inner)), atoms_(std::move(atoms)) {
-    for (const std::uint32_t atom : atoms_) at_rest_A_ += spheres[atom].centre_A / double(atoms_.size());
+  /// `spheres`, which are those of the scene at this moment. `masses`: of these atoms, in any unit; empty: equal ones.
+  PullSpring(std::unique_ptr<Interaction> inner, std::vector<std::uint32_t> atoms, std::span<const Sphere> spheres,
+             std::span<const double> masses = {})
+      : WrappedInteraction(std::move(inner)), atoms_(std::move(atoms)), shares_(sharesOf(masses, atoms_.size())) {
+    for (std::size_t k = 0; k < atoms_.size(); ++k) at_rest_A_ += shares_[k] * spheres[atoms_[k]].centre_A;
     centre_A_ = at_rest_A_;
+  }
+
+  /// The share of each of `count` atoms in their mass; equal shares without masses, or where these have no positive sum.
+  static std::vector<double> sharesOf(std::span<const double> masses, std::size_t count) {
+    std::vector<double> out(count, 1.0 / double(std::max<std::size_t>(count, 1)));
+    double sum = 0.0;
+    for (const double mass : masses) sum += mass;
+    if (masses.size() == count && sum > 0.0)
+      for (std::size_t k = 0; k < count; ++k) out[k] = masses[k] / sum;
+    return out;
   }
 
   Response respond(const PoseA& pose) noexcept override {
@@ -55,8 +66,8 @@ class PullSpring final : public WrappedInteraction {
   std::size_t reactions(const Response& last, double spring_N_per_A, double,
                         std::span<AtomForce> out) const noexcept override {
     const std::size_t count = std::min(out.size(), atoms_.size());
-    const Vec3 each = last.contact.displacement_A * (-spring_N_per_A / double(atoms_.size()));
-    for (std::size_t k = 0; k < count; ++k) out[k] = {std::int32_t(atoms_[k]), each};
+    const Vec3 whole = last.contact.displacement_A * -spring_N_per_A;
+    for (std::size_t k = 0; k < count; ++k) out[k] = {std::int32_t(atoms_[k]), whole * shares_[k]};
     return count;
   }
 
@@ -67,11 +78,12 @@ class PullSpring final : public WrappedInteraction {
       return;
     }
     centre_A_ = Vec3(0.0);
-    for (const std::uint32_t atom : atoms_)
-      if (atom < motion_->size()) centre_A_ += (*motion_)[atom].at(fraction).centre_A / double(atoms_.size());
+    for (std::size_t k = 0; k < atoms_.size(); ++k)
+      if (atoms_[k] < motion_->size()) centre_A_ += shares_[k] * (*motion_)[atoms_[k]].at(fraction).centre_A;
   }
 
   std::vector<std::uint32_t> atoms_;
+  std::vector<double> shares_;  // of each atom in the mass
   Vec3 at_rest_A_{0.0}, centre_A_{0.0}, offset_A_{0.0};
   const SphereMotion* motion_ = nullptr;
   bool begins_ = true;

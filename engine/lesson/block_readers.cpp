@@ -121,6 +121,33 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
     reading.error(place, address->problem().message, address->problem().remedy);
 }
 
+// What the hand pulls, and the heat bath; both need a simulation.
+template <class Takes>
+void takeSimulationKeys(Reading& reading, const KeyValues& values, const Takes& takes, SceneSpec& scene) {
+  if (takes("pull")) {
+    const Value& value = values["pull"];
+    const std::string_view word = value.words.empty() ? std::string_view() : std::string_view(value.words[0]);
+    scene.places.pull = value.place;
+    scene.pulled = value.selection;
+    scene.pull = value.selection.given() ? PullBy::Selection
+                 : word == "atom"        ? PullBy::Atom
+                 : word == "residue"     ? PullBy::Residue
+                                         : PullBy::None;
+  }
+  if (takes("temperature")) scene.temperature_K = values["temperature"].number;
+  // What a scene continues from an earlier one ends with the simulation.
+  if (scene.simulation.empty() && !values["pull"].place.line) scene.pull = PullBy::None, scene.pulled = {};
+  const bool pulls = values["pull"].place.line && scene.pull != PullBy::None;
+  for (const auto& [key, written] :
+       {std::pair{"pull", pulls}, std::pair{"temperature", values["temperature"].place.line > 0}})
+    if (written && scene.simulation.empty())
+      reading.error(values[key].place, trf("'{0}' needs a simulation", key),
+                    tr("add a line 'simulation: …', or leave it out"));
+  if (values["temperature"].place.line && imdAddress(scene.simulation))
+    reading.error(values["temperature"].place, tr("a simulation in another program has its own heat bath"),
+                  tr("leave 'temperature' out, and set it there"));
+}
+
 // A scan takes seconds and shows the atoms at rest.
 void takeScan(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
   if (takes) {
@@ -359,6 +386,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.places.elastic = values["elastic"].place;
   }
   takeSimulation(reading, values, takes("simulation"), scene);
+  takeSimulationKeys(reading, values, takes, scene);
   takeTrajectory(reading, values, takes, scene);
   checkMovers(reading, values, scene);
   takeScan(reading, values, takes("scan"), scene);

@@ -53,6 +53,7 @@ class Check {
         selects(step.scene.untouchable, places.untouchable, *molecule);
         selects(step.scene.remove, places.remove, *molecule);
         selects(step.scene.in_hand, places.in_hand, *molecule);
+        selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule));
         holds(step.scene, *molecule);
         hasCharges(step.scene, *molecule);
         fitsInPage(step.scene, *molecule);

@@ -301,6 +301,21 @@ std::vector<KeySpec> sceneKeys() {
            "('moltact simulate prepare' makes it): it moves the atoms, and the hand pushes them. Or "
            "'imd://127.0.0.1:8888', a simulation in another program that speaks IMD (GROMACS, LAMMPS, NAMD); one on "
            "another computer is connected when the student presses a button; 'none' ends it."},
+      {.name = "pull",
+       .type = ValueType::Target,
+       .meaning =
+           "What the hand pulls in a simulation, by a spring: 'atom' the atom that a press touches first, "
+           "'residue' its whole residue, a selection all of these atoms at their centre of mass. With 'none' the "
+           "hand pushes what it touches.",
+       .fallback = "none",
+       .words = {"none", "atom", "residue"}},
+      {.name = "temperature",
+       .type = ValueType::Quantity,
+       .meaning = "The temperature of the simulation's heat bath, in kelvin.",
+       .fallback = "300",
+       .dimension = Dimension::None,
+       .min = 1.0,
+       .max = 600.0},
       {.name = "trajectory",
        .type = ValueType::Text,
        .meaning = "A file with frames of the molecule's atoms (DCD, XTC, TRR, AMBER's NetCDF; models of GRO, PDB, "

@@ -88,7 +88,7 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
   Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, elastic,
-      simulation, trajectory, scan, hydrogen_bonds;
+      simulation, pull, trajectory, scan, hydrogen_bonds;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -121,6 +121,9 @@ struct TrajectorySpec {
   double frames_per_s = 10;  ///< 0: at rest
   friend bool operator==(const TrajectorySpec&, const TrajectorySpec&) = default;
 };
+
+/// What a press does in a simulation: it pushes by contact, or holds an atom, its residue, or the atoms of a selection.
+enum class PullBy : std::uint8_t { None, Atom, Residue, Selection };
 
 /// The scene of a step. It is complete: keys that a scene block omits have been filled in.
 struct SceneSpec {
@@ -156,6 +159,9 @@ struct SceneSpec {
   double scan_A = 0.0;   ///< radius of a tip that scans the molecule (engine/haptics/height_field); 0: none
   /// File of a serialised system whose simulation moves the atoms, or an address (simulation_engines.h); empty: none.
   std::string simulation;
+  PullBy pull = PullBy::None;    ///< what a press holds in the simulation
+  Selection pulled;              ///< for PullBy::Selection
+  double temperature_K = 300.0;  ///< of the simulation's heat bath
   Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 

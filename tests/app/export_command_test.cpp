@@ -121,6 +121,8 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"frames", "a model is one frame, by --frame"},
       {"speed", "it does not move"},
       {"simulation", "a model is at rest"},
+      {"pull", "a model is at rest"},
+      {"temperature", "a model is at rest"},
       {"cut", "a picture is cut pixel by pixel, the triangles stay whole"},
       {"states", "names for the slider"},
       {"locked", "nobody could change it"}};

@@ -107,6 +107,8 @@ TEST_CASE("every key of a scene is an option of render, or has no meaning for a 
                                                         {"frames", "a picture shows one frame, by --frame"},
                                                         {"speed", "it does not move"},
                                                         {"simulation", "a picture shows the molecule at rest"},
+                                                        {"pull", "a picture pulls nothing"},
+                                                        {"temperature", "a picture shows the molecule at rest"},
                                                         {"scan", "`moltact scan` writes what a tip sees"},
                                                         {"states", "names for the slider"},
                                                         {"locked", "nobody could change it"}};

@@ -16,10 +16,10 @@ namespace {
 
 const std::vector<Sphere> kThree{{{0, 0, 0}, 1.5}, {{4, 0, 0}, 1.5}, {{0, 9, 0}, 1.5}};
 
-std::unique_ptr<PullSpring> springTo(std::vector<std::uint32_t> atoms) {
+std::unique_ptr<PullSpring> springTo(std::vector<std::uint32_t> atoms, const std::vector<double>& masses = {}) {
   InteractionInput input;
   input.spheres = std::make_shared<const SphereGrid>(kThree);
-  return std::make_unique<PullSpring>(makeInteraction(input), std::move(atoms), kThree);
+  return std::make_unique<PullSpring>(makeInteraction(input), std::move(atoms), kThree, masses);
 }
 
 PoseA at(const Vec3& place) { return {{place}}; }
@@ -64,6 +64,26 @@ TEST_CASE(
   CHECK(glm::distance(spring->respond(at({0, 5, 0})).contact.displacement_A, Vec3(1, 0, 0)) < 1e-12);
   spring->setMotion(nullptr);
   CHECK(spring->respond(at({0, 5, 0})).contact.displacement_A == Vec3(0.0));
+}
+
+TEST_CASE(
+    "the spring holds the centre of mass: of 12 u and 4 u, the motion of the light one by 1 A pulls by 0.25 A, and the "
+    "reactions are shared 3 to 1") {
+  const auto spring = springTo({0, 1}, {12.0, 4.0});
+  spring->respond(at({0, 5, 0}));
+  std::vector<Sphere> to = kThree;
+  to[1].centre_A.z += 1.0;
+  const auto motion = SphereMotion::make(kThree, to, 20);
+  REQUIRE(motion);
+  spring->setMotion(motion->get());
+  spring->advanceTo(1.0);
+  const Response now = spring->respond(at({0, 5, 0}));
+  CHECK(glm::distance(now.contact.displacement_A, Vec3(0, 0, 0.25)) < 1e-12);
+  std::array<AtomForce, 2> reactions;
+  REQUIRE(spring->reactions(now, 2.0, 1.0, reactions) == 2);
+  CHECK(glm::distance(reactions[0].force_N, Vec3(0, 0, -0.375)) < 1e-12);
+  CHECK(glm::distance(reactions[1].force_N, Vec3(0, 0, -0.125)) < 1e-12);
+  CHECK(PullSpring::sharesOf(std::vector{0.0, 0.0}, 2) == std::vector{0.5, 0.5});
 }
 
 TEST_CASE(

@@ -230,6 +230,18 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
   CHECK(scene("simulation: mix.xml\nelastic: on\n") ==
         Texts{"l.md:13:10: 'elastic' and 'simulation' both move the atoms; write 'elastic: off', or write 'simulation: "
               "none'"});
+  CHECK(scene("simulation: mix.xml\npull: residue\ntemperature: 350\n").empty());
+  CHECK(scene("simulation: mix.xml\npull: element C\n").empty());
+  CHECK(scene("pull: none\n").empty());
+  CHECK(scene("pull: atom\n") ==
+        Texts{"l.md:12:7: 'pull' needs a simulation; add a line 'simulation: …', or leave it out"});
+  CHECK(scene("temperature: 350\n") ==
+        Texts{"l.md:12:14: 'temperature' needs a simulation; add a line 'simulation: …', or leave it out"});
+  CHECK(scene("simulation: imd://127.0.0.1:8888\ntemperature: 350\n") ==
+        Texts{"l.md:13:14: a simulation in another program has its own heat bath; leave 'temperature' out, and set it "
+              "there"});
+  CHECK(scene("simulation: mix.xml\ntemperature: 3000\n").size() == 1);
+  CHECK(scene("simulation: mix.xml\npull: element Zr\n").size() == 1);
   CHECK(scene("scan: 10 Å\n").empty());
   CHECK(scene("then: shut\nscan: 0 Å\n").empty());
   CHECK(scene("then: shut\nscan: 1 nm\n") ==

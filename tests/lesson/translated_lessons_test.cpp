@@ -122,6 +122,9 @@ void compareScenes(const SceneSpec& a, const SceneSpec& b) {
   CHECK(b.elastic == a.elastic);
   CHECK(b.scan_A == a.scan_A);
   CHECK(b.simulation == a.simulation);
+  CHECK(b.pull == a.pull);
+  CHECK(b.pulled == a.pulled);
+  CHECK(b.temperature_K == a.temperature_K);
   CHECK(b.trajectory == a.trajectory);
   CHECK(b.magnify.text() == a.magnify.text());
 }

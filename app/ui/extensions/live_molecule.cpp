@@ -12,6 +12,7 @@
 #include "app/ui/widgets/messages.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
+#include "engine/haptics/pull_spring.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 
@@ -58,6 +59,8 @@ void LiveMolecule::forget() {
     scene_.pull({});
   }
   hold_ = Hold::Push;
+  selected_.clear();
+  masses_u_.clear();
   asks_ = false;
   own_.release();
   forgetConnection();
@@ -195,6 +198,7 @@ void LiveMolecule::fail(std::string why) {
 
 void LiveMolecule::take(Expected<Opened> opened) {
   if (!opened) return fail(opened.problem().text());
+  masses_u_ = massesOf(*molecule_);
   wanted_ = {};
   frame_ = {};
   simulation_ = *std::move(opened);
@@ -213,6 +217,20 @@ void LiveMolecule::startAgain() {
   wanted_.pushes.clear();
   push_pN_ = 0.0;
   scene_.servo().loop().takeImpulses();  // earlier ones
+  takeSceneKeys();
+}
+
+// What the lesson's scene says about the hand and the bath; each time that the scene begins.
+void LiveMolecule::takeSceneKeys() {
+  const LessonSession* session = lesson_.session();
+  if (!session || !lesson_.onStage()) return;
+  const SceneSpec& scene = session->scene();
+  wanted_.temperature_K = scene.temperature_K;
+  selected_ = scene.pull == PullBy::Selection ? scene.pulled.select(*molecule_) : std::vector<std::uint32_t>();
+  setHold(scene.pull == PullBy::Atom        ? Hold::Atom
+          : scene.pull == PullBy::Residue   ? Hold::Residue
+          : scene.pull == PullBy::Selection ? Hold::Selection
+                                            : Hold::Push);
 }
 
 void LiveMolecule::run(bool running) {
@@ -259,7 +277,8 @@ void LiveMolecule::pushAtoms() {
   }
 }
 
-// Each held atom is drawn to the place that it had when it was taken, moved by the hand's way since then.
+// Each held atom is drawn to the place that it had when it was taken, moved by the hand's way since then, by a share of
+// the spring as large as its share of the mass. Together they act on the centre of mass like the one spring.
 void LiveMolecule::gripAtoms(double spring_kcal_mol_A2) {
   const std::vector<std::uint32_t>& held = scene_.pulled();
   if (held.size() != taken_A_.size()) return;
@@ -268,8 +287,7 @@ void LiveMolecule::gripAtoms(double spring_kcal_mol_A2) {
   const double most_A = kStrongest_pN / kForceUnit_pN / spring_kcal_mol_A2;
   if (const double size = glm::length(ahead); size > most_A) ahead *= most_A / size;
   for (std::size_t k = 0; k < held.size(); ++k)
-    wanted_.pushes.push_back(
-        {held[k], taken_A_[k] + followed + ahead, Vec3(0.0), spring_kcal_mol_A2 / double(held.size())});
+    wanted_.pushes.push_back({held[k], taken_A_[k] + followed + ahead, Vec3(0.0), spring_kcal_mol_A2 * shares_[k]});
 }
 
 double LiveMolecule::springOfHand_kcal_mol_A2() const {
@@ -297,7 +315,15 @@ void LiveMolecule::takeOrLetGo() {
     atoms.clear();
     for (std::uint32_t k = 0; k < r.atom_count; ++k) atoms.push_back(r.first_atom + k);
   }
-  scene_.pull(std::move(atoms));
+  if (hold_ == Hold::Selection) {
+    if (!std::binary_search(selected_.begin(), selected_.end(), atoms[0])) return;  // is pushed
+    atoms = selected_;
+  }
+  std::vector<double> masses;
+  for (const std::uint32_t atom : atoms) masses.push_back(massOf(atom));
+  shares_ = PullSpring::sharesOf(masses, masses.size());
+  scene_.pull(std::move(atoms), std::move(masses));
+  if (scene_.pulled().size() != shares_.size()) return;
   taken_at_A_ = heldCentre_A();
   hand_took_at_A_ = scene_.log().latest().hip.A;
   taken_A_.clear();
@@ -306,8 +332,9 @@ void LiveMolecule::takeOrLetGo() {
 
 Vec3 LiveMolecule::heldCentre_A() const {
   Vec3 out(0.0);
-  for (const std::uint32_t atom : scene_.pulled())
-    if (atom < smooth_A_.size()) out += smooth_A_[atom] / double(scene_.pulled().size());
+  const std::vector<std::uint32_t>& held = scene_.pulled();
+  for (std::size_t k = 0; k < std::min(held.size(), shares_.size()); ++k)
+    if (held[k] < smooth_A_.size()) out += shares_[k] * smooth_A_[held[k]];
   return out;
 }
 
@@ -318,6 +345,7 @@ double LiveMolecule::pulledBy_A() const {
 std::string LiveMolecule::heldText() const {
   const std::vector<std::uint32_t>& held = scene_.pulled();
   if (held.empty() || !molecule_) return {};
+  if (hold_ == Hold::Selection) return trnf("{0} atom", "{0} atoms", held.size(), held.size());
   return hold_ == Hold::Residue ? molecule_->words(held[0]).residue : molecule_->describe(held[0]);
 }
 

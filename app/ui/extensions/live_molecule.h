@@ -80,9 +80,11 @@ class LiveMolecule : public AtomMover {
   void relax() { ++wanted_.relaxations; }
   void restart() { ++wanted_.restarts; }
 
-  /// What a press does: it pushes atoms by contact, or holds the first atom that it touches, or that atom's residue, until
-  /// it ends.
-  enum class Hold : std::uint8_t { Push, Atom, Residue };
+  /// What a press does: it pushes atoms by contact; or holds the first atom that it touches, or that atom's residue, or the
+  /// atoms that the scene names if it touches one of them, until it ends.
+  enum class Hold : std::uint8_t { Push, Atom, Residue, Selection };
+  /// Whether the scene names atoms for Hold::Selection.
+  bool namesHeld() const { return !selected_.empty(); }
   Hold hold() const { return hold_; }
   void setHold(Hold hold);
   /// The stiffness of the hand's spring between the atoms.
@@ -124,6 +126,8 @@ class LiveMolecule : public AtomMover {
   void takeOrLetGo();
   void gripAtoms(double spring_kcal_mol_A2);
   Vec3 heldCentre_A() const;
+  void takeSceneKeys();
+  double massOf(std::uint32_t atom) const { return atom < masses_u_.size() ? masses_u_[atom] : 1.0; }
   void readFrame(double dt_s);
   void startAgain();
   std::vector<Sphere> placed() const;
@@ -148,9 +152,12 @@ class LiveMolecule : public AtomMover {
   static constexpr std::size_t kPlotLength = std::size_t(kPlot_s / kPlotted_s);
   Plots plots_{PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
   Hold hold_ = Hold::Push;
-  std::vector<Vec3> taken_A_;  // the places of the held atoms when they were taken
+  std::vector<std::uint32_t> selected_;  // the atoms that the scene names for the hand, ascending
+  std::vector<double> masses_u_;         // of the molecule's atoms
+  std::vector<double> shares_;           // of the held atoms in their mass
+  std::vector<Vec3> taken_A_;            // the places of the held atoms when they were taken
   Vec3 hand_took_at_A_{0.0};
-  Vec3 taken_at_A_{0.0};  // the centre of the held atoms when they were taken
+  Vec3 taken_at_A_{0.0};  // their centre of mass then
 };
 
 }  // namespace moltact

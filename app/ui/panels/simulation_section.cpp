@@ -65,16 +65,19 @@ void drawHold(Application& app, LiveMolecule& live) {
   sectionTitle(tr("The hand"));
   const std::array<std::string, 2> words{N_("Pushes"), N_("Pulls")};
   std::size_t chosen = live.hold() == Hold::Push ? 0 : 1;
-  if (segments("simulation/hold", words, chosen)) live.setHold(chosen == 0 ? Hold::Push : Hold::Atom);
+  if (segments("simulation/hold", words, chosen))
+    live.setHold(chosen == 0 ? Hold::Push : live.namesHeld() ? Hold::Selection : Hold::Atom);
   if (live.hold() == Hold::Push) return;
   bool residue = live.hold() == Hold::Residue;
-  if (toggle("simulation/residue", tr("Hold the whole residue"), residue,
+  if (!live.namesHeld() &&
+      toggle("simulation/residue", tr("Hold the whole residue"), residue,
              tr("A press holds what it touches first, an atom or its whole residue, until it ends. With a device, hold "
                 "the space bar while you touch.")))
     live.setHold(residue ? Hold::Residue : Hold::Atom);
   const std::string held = mayNameAtoms(app) ? live.heldText() : std::string();
   simulationLine("simulation/held",
-                 held.empty() ? tr("Press on an atom and drag it.")
+                 held.empty() ? live.namesHeld() ? tr("Press on one of the atoms that the lesson names and drag it.")
+                                                 : tr("Press on an atom and drag it.")
                               : trf("Held: {0}, moved by {1} Å", held, numberText(live.pulledBy_A(), decimals(1))));
   simulationLine(
       "simulation/spring",

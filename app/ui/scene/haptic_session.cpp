@@ -50,7 +50,7 @@ std::unique_ptr<Interaction> HapticSession::interactionHere(const Contact& conta
   forces_.begin(stage(), std::move(pairs));
   if (made && field_) return std::make_unique<HeightFieldTracker>(field_);
   if (made && !pulled_.empty())
-    return std::make_unique<PullSpring>(std::move(made), pulled_, stage().spheres->spheres());
+    return std::make_unique<PullSpring>(std::move(made), pulled_, stage().spheres->spheres(), pulled_masses_);
   return made;
 }
 
@@ -258,10 +258,13 @@ void HapticSession::useMethod(std::string_view name) {
   setTouch(next);
 }
 
-void HapticSession::pull(std::vector<std::uint32_t> atoms) {
+void HapticSession::pull(std::vector<std::uint32_t> atoms, std::vector<double> masses) {
   const bool can = stage() && !stage().body && !played_ && !trying();
-  std::erase_if(atoms, [&](std::uint32_t atom) { return !can || atom >= stage().spheres->spheres().size(); });
+  if (!can || std::any_of(atoms.begin(), atoms.end(),
+                          [&](std::uint32_t atom) { return atom >= stage().spheres->spheres().size(); }))
+    atoms.clear();
   if (atoms == pulled_) return;
+  pulled_masses_ = std::move(masses);
   pulled_ = std::move(atoms);
   controls.drag(!pulled_.empty());
   if (can) servo_.setInteraction(interactionHere(Contact{}, PoseA{}));

@@ -109,9 +109,10 @@ class HapticSession {
   /// Moves the atoms there at once and rebuilds the interaction.
   bool placeAtoms(const MotionSource& source, SharedArray<Sphere> at);
 
-  /// Holds these atoms of the scene by a spring (engine/haptics/pull_spring.h) instead of touching, until called with none
-  /// or the atoms are placed elsewhere. Does nothing during playback, while a force is tested and with a body in the hand.
-  void pull(std::vector<std::uint32_t> atoms);
+  /// Holds these atoms of the scene, at their centre of mass, by a spring (engine/haptics/pull_spring.h) instead of
+  /// touching, until called with none or the atoms are placed elsewhere. `masses`: one for each; empty: equal ones. Does
+  /// nothing during playback, while a force is tested and with a body in the hand.
+  void pull(std::vector<std::uint32_t> atoms, std::vector<double> masses = {});
   /// The atoms that are held; empty: the scene is touched.
   const std::vector<std::uint32_t>& pulled() const { return pulled_; }
 
@@ -194,6 +195,7 @@ class HapticSession {
   RecordedConditions recorded_;
   std::vector<float> fluctuation_A_;
   std::vector<std::uint32_t> pulled_;
+  std::vector<double> pulled_masses_;
   std::optional<PoseA> brought_;  // what the device's hand is to hold, as soon as its own pose is known
   std::shared_ptr<const HeightField> field_;
   std::shared_ptr<const SphereGrid> field_like_;
