@@ -40,7 +40,7 @@ class ClosedLoop {
                 const MotionPhase& phase = {});
 
   /// The friction of the surface; the loop approaches the coefficient at kFrictionSlew_per_s.
-  void setFriction(const Friction& friction) { settings_.friction = friction; }
+  void setFriction(const Friction& friction) { settings_.surface.friction = friction; }
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }

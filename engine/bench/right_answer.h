@@ -28,7 +28,7 @@ class RightAnswer {
   /// Performs one tick. `given` is the judged method's answer, from which the oracle continues if its own is undecided.
   Answer step(const Vec3& hip, const Contact& given);
   void setProbe(double probe_A);
-  void setFriction(const Friction& friction) { felt_->setFriction(friction); }
+  void setSurface(const SurfaceProperties& surface) { felt_->setSurface(surface); }
   /// The spheres move to this phase before the next step.
   void setMotion(const MotionPhase& phase);
   void swap(const scenes::Scene& scene);

@@ -213,7 +213,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
     }
     // A tick without a reading has no reference; the next one has.
     if (!tick.stepped || t.fault == LoopFault::NotANumber) continue;
-    if (scene.rough()) right.setFriction(felt->friction());
+    if (scene.rough()) right.setSurface(felt->surface());
     RightAnswer::Answer answer = right.step(tick.hip.A, tick.contact);
     // The grip is the same for every method and its own reference.
     if (pulls) answer = {true, tick.hip.A + tick.contact.displacement_A, tick.contact.displacement_A, false};

@@ -16,6 +16,8 @@ class SimulationSlices {
   /// Carries out the command for `elapsed_s` of the window's time, at most kMaxElapsed_s of it. The computation takes about
   /// kMaxStep_s at most, or `elapsed_s` if that is longer. The reference is valid until the next call.
   const SimulationFrame& advance(const SimulationCommand& wanted, double elapsed_s);
+  /// Whether a relaxation goes on in the next call; then no pause between the calls is of use.
+  bool relaxing() const { return run_.relaxing(); }
 
   static constexpr double kMaxStep_s = 0.02, kMaxElapsed_s = 0.1;
 

@@ -31,7 +31,7 @@ void SimulationThread::run() {
     last = now;
     frames_.back() = slices_.advance(commands_.read(), elapsed_s);
     frames_.publish();
-    if (run_.relaxing()) continue;
+    if (slices_.relaxing()) continue;
     std::this_thread::sleep_until(now +
                                   std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kSlice_s)));
   }

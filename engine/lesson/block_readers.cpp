@@ -143,7 +143,7 @@ void takeSimulationKeys(Reading& reading, const KeyValues& values, const Takes& 
     if (written && scene.simulation.empty())
       reading.error(values[key].place, trf("'{0}' needs a simulation", key),
                     tr("add a line 'simulation: …', or leave it out"));
-  if (values["temperature"].place.line && imdAddress(scene.simulation))
+  if (values["temperature"].place.line && simulationAddress(scene.simulation))
     reading.error(values["temperature"].place, tr("a simulation in another program has its own heat bath"),
                   tr("leave 'temperature' out, and set it there"));
 }
