@@ -162,7 +162,7 @@ struct SceneSpec {
   PullBy pull = PullBy::None;    ///< what a press holds in the simulation
   Selection pulled;              ///< for PullBy::Selection
   double temperature_K = 300.0;  ///< of the simulation's heat bath
-  Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does
+  Selection magnify;             ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 
   /// Whether the lesson prevents the student from changing this key ("force").

@@ -83,12 +83,9 @@ MOLTACT_INLINE Curve switched(const Curve& g, V8 s, V8 s1, V8 s2) {
 }
 
 MOLTACT_INLINE double total(V8 v) {
-  using V4 = float __attribute__((vector_size(16)));
   using V4d = double __attribute__((vector_size(32)));
-  V4 low, high;
-  std::memcpy(&low, &v, sizeof low);
-  std::memcpy(&high, reinterpret_cast<const char*>(&v) + sizeof low, sizeof high);
-  const V4d four = __builtin_convertvector(low, V4d) + __builtin_convertvector(high, V4d);
+  const V4d four = __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3), V4d) +
+                   __builtin_convertvector(__builtin_shufflevector(v, v, 4, 5, 6, 7), V4d);
   return (four[0] + four[2]) + (four[1] + four[3]);
 }
 
