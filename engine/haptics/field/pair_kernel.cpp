@@ -66,7 +66,9 @@ MOLTACT_INLINE Curve coulomb(V8 t, V8 inverse_t, V8 strength) {
     } else {
       // eps = A + B w, w = 1 / q, q = 1 + k exp(-lambda B r); with one division for w and 1 / eps = q / (A q + B).
       constexpr float kB = 86.9525f, kA = 78.4f - kB, kK = 7.7839f, kRate = 0.003627f * kB;
-      const V8 q = exponential(r * -kRate) * kK + 1.0f, mixed = q * kA + kB, both = 1.0f / (q * mixed);
+      // Beyond the largest cut-off, as in empty lanes, q stays that of 15.8 A: it must not overflow.
+      const V8 q = exponential(greater(r * -kRate, all(-5.0f))) * kK + 1.0f, mixed = q * kA + kB,
+               both = 1.0f / (q * mixed);
       const V8 w = mixed * both, s = w * (1.0f - w);
       const V8 eps = w * kB + kA, eps1 = s * (kB * kRate), eps2 = eps1 * (1.0f - w * 2.0f) * kRate;
       // f = 1 / (r eps), by r; then by t = r^2.
