@@ -33,7 +33,7 @@ TEST_CASE(
     CHECK(page->find(e.name) != std::string::npos);
     CHECK(key.find(e.name) != std::string::npos);
   }
-  REQUIRE(simulationEngines().front().make != nullptr);
+  REQUIRE((simulationEngines().front().make != nullptr));
 }
 
 TEST_CASE(

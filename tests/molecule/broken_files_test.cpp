@@ -309,7 +309,7 @@ TEST_CASE("4000 files with 1 to 20 random bytes changed, doubled or removed are 
 
 TEST_CASE("bytes of a binary format come out as they are, 1 000 at a time and between lines, packed by gzip or not") {
   std::string whole = "a line\n";
-  for (int k = 0; k < 300'000; ++k) whole += static_cast<char>(k * 7919 >> 3);
+  for (std::uint32_t k = 0; k < 300'000; ++k) whole += static_cast<char>(k * 7919u >> 3);
   for (const std::string& stored : {whole, gzipped(whole)}) {
     TextSource text(memorySource(stored), stored.size(), 1 << 20, "x.bin");
     std::string_view line;
