@@ -15,6 +15,7 @@
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_step.h"
 #include "tests/app/scripted_user_fixture.h"
+#include "tests/results/sample_attempt.h"
 
 namespace moltact {
 namespace {

@@ -103,7 +103,6 @@ void recordingState(std::string_view bytes) {
 }
 
 void handPath(std::string_view bytes) {
-  using namespace bench;
   const auto path = readHandPath(fileOf(bytes, "a.hand"));
   if (!path) return mustBe(!path.problem().message.empty(), "a message");
   mustBe(!path->places.empty(), "a place");
