@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "engine/core/random.h"
+#include "engine/dynamics/openmm_engine.h"
 #include "engine/dynamics/simulation_engines.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/molecule/reader.h"
