@@ -56,9 +56,9 @@ TEST_CASE(
 }
 
 TEST_CASE("the molecule beside is read as the first is, but for model, assembly and another beside it") {
-  CHECK((besideReading({.model = 3, .waters = true, .assembly = "1", .beside = "benzene"}) ==
-         ReadOptions{.waters = true}));
-  const std::size_t handed_on = 1;  // each option is handed on or is one of the three
+  CHECK((besideReading({.model = 3, .waters = true, .assembly = "1", .beside = "benzene", .radii = "alvarez"}) ==
+         ReadOptions{.waters = true, .radii = "alvarez"}));
+  const std::size_t handed_on = 2;  // each option is handed on or is one of the three
   CHECK(readingOptions().size() == handed_on + 3);
 }
 
