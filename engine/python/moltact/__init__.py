@@ -21,9 +21,21 @@ from ._moltact import (
     interactions,
     load,
     methods,
+    radius_tables,
 )
 
-__all__ = ["Chemistry", "Felt", "HeldBody", "Molecule", "MoleculeError", "Tracker", "interactions", "load", "methods"]
+__all__ = [
+    "Chemistry",
+    "Felt",
+    "HeldBody",
+    "Molecule",
+    "MoleculeError",
+    "Tracker",
+    "interactions",
+    "load",
+    "methods",
+    "radius_tables",
+]
 
 MoleculeError.__doc__ = "A molecule that cannot be read: where, why, and what helps."
 for _public in (Chemistry, Felt, HeldBody, Molecule, MoleculeError, Tracker):
