@@ -5,7 +5,6 @@
 
 #include "engine/core/random.h"
 #include "engine/lesson/pose_search.h"
-#include "engine/structure/interaction_input.h"
 #include "tests/lesson/shipped_hand.h"
 
 using namespace moltact;
@@ -82,28 +81,31 @@ TEST_CASE("the way down the groove is passed by a hand that slides, by none that
 }
 
 TEST_CASE(
-    "guanine 7 and cytosine 56 fit where they lie, guanine 52 is led out by a free path, and in the place of cytosine "
-    "56 "
-    "it overlaps in each of 200 000 poses with its N9 within 0.5 A and its rings within 20 degrees of cytosine's") {
-  SAYS(lineSaying(kLesson, "tried this guanine in 200 000 poses in the place of cytosine 56"));
+    "guanine fits opposite cytosine 56 and is led out by a free path; in the place of cytosine 56, with the nitrogen "
+    "at "
+    "the sugar within 0.5 A and the rings within 20 degrees of cytosine's direction, it overlaps in each of 200 000 "
+    "poses, and cytosine does not") {
+  SAYS(lineSaying(kLesson, "tried guanine in 200 000 poses in the place of cytosine 56"));
   const ShippedScene bare("1a1f-dna");
-  const auto held = [&](const std::string& letter) {
-    return heldBody(*bare.molecule, bare.select(letter + " and sidechain"));
+  // The scene without a whole letter, and its base as a body.
+  struct Gap {
+    Gap(const ShippedScene& s, const std::string& letter)
+        : body(heldBody(s.molecule->spheres, s.select(letter + " and sidechain"))),
+          grid(s.molecule->spheres, s.select(letter)),
+          space(grid, *body) {}
+    std::shared_ptr<const HeldBody> body;
+    SphereGrid grid;
+    PoseSpace space;
   };
-  const std::string seven = "chain B and residue 7", partner = "chain C and residue 56",
-                    other = "chain C and residue 52";
-  const auto guanine = held(seven), cytosine = held(partner), wrong = held(other);
-  const SphereGrid without_seven(bare.molecule->spheres, bare.select(seven));
-  const PoseSpace of_guanine(without_seven, *guanine);
-  CHECK(freePath(of_guanine, {guanine->middle}, {.max_tests = 50'000}).size() >= 2);
-  // What the scene of the wrong letter leaves to touch: neither cytosine 56 nor what the hand holds.
-  const SphereGrid gap(bare.molecule->spheres, bare.select("(" + partner + ") or (" + other + " and sidechain)"));
-  REQUIRE(PoseSpace(gap, *cytosine).isFree({cytosine->middle}));
-  const PoseSpace space(gap, *wrong);
-  CHECK(freePath(space, {wrong->middle}, {.max_tests = 200'000}).size() >= 2);
+  const std::string seven = "chain B and residue 7", partner = "chain C and residue 56";
+  const Gap guanine(bare, seven), cytosine(bare, partner);
+  CHECK(freePath(guanine.space, {guanine.body->middle}, {.max_tests = 50'000}).size() >= 2);
+  REQUIRE(cytosine.space.isFree({cytosine.body->middle}));
+  const PoseSpace wrong(cytosine.grid, *guanine.body);
   const auto placeOf = [&](const std::string& atom) { return bare.spheres[bare.select(atom).at(0)].centre_A; };
-  const Vec3 at_sugar = placeOf(partner + " and name N1"), lever = placeOf(other + " and name N9") - wrong->middle.A,
-             inward = glm::normalize(cytosine->middle.A - at_sugar);
+  const Vec3 at_sugar = placeOf(partner + " and name N1"),
+             lever = placeOf(seven + " and name N9") - guanine.body->middle.A,
+             inward = glm::normalize(cytosine.body->middle.A - at_sugar);
   std::uint64_t random = 1;
   int tried = 0, free = 0;
   while (tried < 200'000) {
@@ -113,7 +115,7 @@ TEST_CASE(
     const Quat q = randomOrientation(random);
     if (glm::dot(glm::normalize(q * -lever), inward) < std::cos(glm::radians(20.0))) continue;
     ++tried;
-    free += space.isFree({{at_sugar + 0.5 * off - q * lever}, q});
+    free += wrong.isFree({{at_sugar + 0.5 * off - q * lever}, q});
   }
   CHECK(free == 0);
 }
