@@ -84,7 +84,6 @@ LoadedSettings loadSettings(const fs::path& file) {
   readNumber(json, "touch_width", s.touch_width, 220.0, 600.0);
   readSwitch(json, "legend", s.legend);
   readSwitch(json, "depth_gauge", s.depth_gauge);
-  readSwitch(json, "energy_gauge", s.energy_gauge);
   readSwitch(json, "expert", s.expert);
   readSwitch(json, "colour_blind_safe", s.colour_blind_safe);
   readSwitch(json, "left_handed", s.left_handed);
@@ -131,7 +130,6 @@ nlohmann::json written(const Settings& s) {
           {"touch_width", s.touch_width},
           {"legend", s.legend},
           {"depth_gauge", s.depth_gauge},
-          {"energy_gauge", s.energy_gauge},
           {"expert", s.expert},
           {"colour_blind_safe", s.colour_blind_safe},
           {"left_handed", s.left_handed},

@@ -29,8 +29,7 @@ struct Settings {
   double text_size = 1.0;          ///< enlarges text, and the controls that hold it, beyond `scale` (1 to 1.5)
   double lesson_width = 350.0;     ///< unit: pixel at 96 dpi (240 to 700)
   double touch_width = 288.0;      ///< unit: pixel at 96 dpi (220 to 600)
-  bool energy_gauge = true;        ///< show the energy between atoms as a bar
-  bool depth_gauge = true;         ///< show the depth of the hand from the side while touching
+  bool depth_gauge = true;         ///< show the depth of the hand from the side, and the energy between atoms
   bool expert = false;             ///< show figures of the servo loop and the tracker
   bool legend = true;              ///< show the legend of the atoms' colours in the view
   bool colour_blind_safe = false;  ///< use atom colours that are distinguishable with every kind of colour vision

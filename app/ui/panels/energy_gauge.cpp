@@ -1,6 +1,6 @@
 // In the view's lower right corner, beside the depth of the hand, where forces between atoms act: their energy as a bar
 // from zero, down where they attract and up where they repel. A line marks the lowest energy since the scene began. Also
-// drawn on a dark screen that displays the force.
+// drawn on a dark screen that displays the force. The depth gauge's switch hides it.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -64,7 +64,7 @@ void drawBar(double energy_kcal_mol, double lowest_kcal_mol, ImVec2 low, ImVec2 
 // The energy to be shown; none where it may not be.
 std::optional<double> shownEnergy(const Application& app) {
   const auto& energy = app.scene.log().latest().molecular_energy;
-  if (!app.settings.energy_gauge || !energy || !app.extensions().reveal_policy.tellsEnergy()) return std::nullopt;
+  if (!app.settings.depth_gauge || !energy || !app.extensions().reveal_policy.tellsEnergy()) return std::nullopt;
   const double total = energy->total_kcal_mol();
   return std::isfinite(total) ? std::optional(total) : std::nullopt;
 }
