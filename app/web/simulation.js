@@ -15,7 +15,7 @@ function moltactSimulations(unpacked, stir) {
 
   const end = (one, why) => hear(one, {kind: "end", text: String(why), numbers: kNothing.numbers});
 
-  async function start(one, system, start) {
+  async function start(one, system, numbers) {
     try {
       parts ??= Promise.all([unpacked("simulation-script"), unpacked("simulation-bytes")]);
       const [script, bytes] = await parts;
@@ -24,8 +24,9 @@ function moltactSimulations(unpacked, stir) {
       one.worker = new Worker(url);
       one.worker.onmessage = ({data}) => { URL.revokeObjectURL(url); hear(one, data); };
       one.worker.onerror = (event) => { event.preventDefault(); end(one, event.message || "worker"); };
-      one.worker.postMessage({bytes, system, start});
+      one.worker.postMessage({bytes, system, start: numbers});
     } catch (error) {
+      parts = null;  // the next one unpacks them again
       end(one, error);
     }
   }

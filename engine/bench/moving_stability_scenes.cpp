@@ -47,9 +47,9 @@ class MovingScript {
     return *this;
   }
   StabilityTick& last() { return script_.last(); }
-  StabilityScene& done(bool in_contact = true) {
+  StabilityScene& done() {
     script_.hold(int(kHeldMoving));
-    scene_.held_ticks = in_contact ? kHeldMoving : 0;
+    scene_.held_ticks = kHeldMoving;
     scene_.script = std::move(script_.ticks);
     return scene_;
   }
@@ -219,9 +219,7 @@ StabilityScene carriedAlong() {
 
 }  // namespace
 
-std::vector<StabilityScene> movingScenes(std::uint64_t) {
-  return {wallThatComes(), vanishingAtom(), closingHinge(), pulledAtom()};
-}
+std::vector<StabilityScene> movingScenes() { return {wallThatComes(), vanishingAtom(), closingHinge(), pulledAtom()}; }
 
 std::vector<StabilityScene> frictionScenes(std::uint64_t seed) {
   return {roughCrease(), stickAndSlip(), roughWalk(seed + 11), changedFriction(), carriedAlong()};

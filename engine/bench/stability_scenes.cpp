@@ -279,7 +279,7 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   scenes::Scene far = scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
   out.push_back(
       walked("a million A from the origin", "Do digits run out far from the origin?", std::move(far), seed + 10));
-  for (StabilityScene& scene : movingScenes(seed)) out.push_back(std::move(scene));
+  for (StabilityScene& scene : movingScenes()) out.push_back(std::move(scene));
   for (StabilityScene& scene : frictionScenes(seed)) out.push_back(std::move(scene));
   return out;
 }

@@ -52,7 +52,7 @@ struct StabilityScene {
 };
 
 /// The scenes whose spheres move, and those with friction (moving_stability_scenes.cpp).
-std::vector<StabilityScene> movingScenes(std::uint64_t seed);
+std::vector<StabilityScene> movingScenes();
 std::vector<StabilityScene> frictionScenes(std::uint64_t seed);
 
 /// All scenes, in the order of the tables.

@@ -7,8 +7,6 @@
 
 namespace moltact {
 
-std::size_t mostSimulatedHere() { return kMaxSimulated; }
-
 Expected<std::unique_ptr<LiveSimulation>> beginSimulation(const std::filesystem::path& system,
                                                           std::shared_ptr<const Molecule> molecule, MdStart start,
                                                           SimulationPace pace) {

@@ -17,9 +17,7 @@ enum class SimulationPace : std::uint8_t {
   Frames,    ///< between the window's frames, by their time
 };
 
-/// The largest molecule that beginSimulation() takes: kMaxSimulated (simulation_engines.h), in a page fewer.
-std::size_t mostSimulatedHere();
-/// Of 490 atoms, OpenMM's platform Reference in a worker makes 170 steps per second (docs/simulation.md).
+/// The largest molecule that beginSimulation() takes in a page; elsewhere kMaxSimulated (simulation_engines.h). Of 490 atoms, OpenMM's platform Reference in a worker makes 170 steps per second (docs/simulation.md).
 inline constexpr std::size_t kMaxSimulatedInPage = 500;
 
 /// A simulation of the system in `system`, whose atoms are those of the molecule in their order and begin where they are;

@@ -67,7 +67,11 @@ class WorkerSimulation final : public LiveSimulation {
     takeNews();
     if (frame_.lost) return;
     if (!asked_) {
-      if (opening()) return;
+      if (opening()) {  // the worker loads OpenMM and tries the system
+        waited_s_ += dt_s;
+        if (waited_s_ > kOpening_s) lose(trf("it has not answered for {0} s", kOpening_s));
+        return;
+      }
       wanted_.elapsed_s = std::min(owed_s_ + dt_s, SimulationSlices::kMaxElapsed_s);
       const std::vector<double> numbers = numbersOf(wanted_);
       askSimulation(number_, numbers.data(), int(numbers.size()));
@@ -82,6 +86,8 @@ class WorkerSimulation final : public LiveSimulation {
 
   /// The window's time without an answer after which the worker counts as lost. A relaxation takes up to 2 s.
   static constexpr int kPatience_s = 10;
+  /// The same until it has read the system.
+  static constexpr int kOpening_s = 60;
 
  private:
   enum class News { None, Facts, Frame, Refusal, End };
@@ -152,15 +158,13 @@ class WorkerSimulation final : public LiveSimulation {
 
 }  // namespace
 
-std::size_t mostSimulatedHere() { return kMaxSimulatedInPage; }
-
 Expected<std::unique_ptr<LiveSimulation>> beginSimulation(const std::filesystem::path& system,
                                                           std::shared_ptr<const Molecule> molecule, MdStart start,
                                                           SimulationPace) {
-  if (const std::size_t count = molecule->atoms.size(); count > mostSimulatedHere())
+  if (const std::size_t count = molecule->atoms.size(); count > kMaxSimulatedInPage)
     return Problem{
         system.filename().string(), 0, 0,
-        trf("the molecule has {0} atoms; a page in a browser simulates at most {1}", count, mostSimulatedHere()),
+        trf("the molecule has {0} atoms; a page in a browser simulates at most {1}", count, kMaxSimulatedInPage),
         tr("take a part of it, or use the desktop program")};
   Expected<MdStart> whole = readStart(system, *molecule, std::move(start));
   if (!whole) return whole.problem();

@@ -1,5 +1,7 @@
 #include "engine/dynamics/simulation_message.h"
 
+#include "engine/core/saturated.h"
+
 namespace moltact {
 namespace {
 
@@ -14,7 +16,7 @@ class NumberRow {
   std::size_t left() const { return numbers_.size() - at_; }
   double number() { return at_ < numbers_.size() ? numbers_[at_++] : 0.0; }
   bool yes() { return number() != 0.0; }
-  std::uint32_t count() { return std::uint32_t(number()); }
+  std::uint32_t count() { return saturateToInteger<std::uint32_t>(number()); }
   Vec3 point() {
     const double x = number(), y = number(), z = number();
     return {x, y, z};
@@ -87,7 +89,7 @@ std::optional<SimulationFrame> frameOf(std::span<const double> numbers) {
   if (!rowFits(numbers, kFrameHead, 3)) return std::nullopt;
   NumberRow row(numbers);
   SimulationFrame out;
-  out.serial = std::uint64_t(row.number());
+  out.serial = saturateToInteger<std::uint64_t>(row.number());
   out.time_ps = row.number();
   out.energies.potential_kcal_mol = row.number();
   out.energies.kinetic_kcal_mol = row.number();

@@ -15,7 +15,7 @@ class SimulationThread final : public LiveSimulation {
  public:
   /// Throws std::system_error if the system refuses another thread.
   explicit SimulationThread(std::unique_ptr<MdEngine> engine);
-  /// Waits for the present slice: kMost_s, or SimulationRun::kRelaxSlice iterations of a relaxation.
+  /// Waits for the present slice: SimulationSlices::kMaxStep_s, or SimulationRun::kRelaxSlice iterations of a relaxation.
   ~SimulationThread() override;
 
   const SimulationFrame& newest() override { return frames_.read(); }

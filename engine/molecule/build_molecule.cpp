@@ -138,7 +138,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   waits.occupancy = from.occupancy;
   waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
   waits.alternate = from.alternate;
-  waits.formal_e = static_cast<std::int8_t>(std::abs(from.formal_e) <= kMaxFormalCharge_e ? from.formal_e : 0);
+  waits.formal_e = static_cast<std::int8_t>(isFormalCharge(from.formal_e) ? from.formal_e : 0);
   waits.hetero = from.hetero;
   if (residues_.size() > kMaxAlternatives) endPlace();
   return std::nullopt;

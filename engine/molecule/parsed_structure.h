@@ -21,6 +21,8 @@ namespace moltact {
 
 /// The largest amount of a formal charge (unit: elementary charge); the CTfile formats allow -15 to 15.
 inline constexpr int kMaxFormalCharge_e = 15;
+/// Whether a number from a file can be a formal charge.
+constexpr bool isFormalCharge(long long e) { return e >= -kMaxFormalCharge_e && e <= kMaxFormalCharge_e; }
 
 /// One atom of the file. The texts need to be valid only during the call that receives them.
 struct ParsedAtom {

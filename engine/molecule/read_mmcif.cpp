@@ -268,7 +268,7 @@ class Reader {
     }
     if (std::string_view charge = row[kFormalCharge].said(); !charge.empty()) {
       if (charge.front() == '+') charge.remove_prefix(1);
-      if (!parseInteger(charge, out.formal_e) || std::abs(out.formal_e) > kMaxFormalCharge_e) {
+      if (!parseInteger(charge, out.formal_e) || !isFormalCharge(out.formal_e)) {
         out.formal_e = 0;
         if (head_.warnings.size() < 20)
           head_.warnings.push_back(

@@ -234,7 +234,7 @@ class Mol2Reader {
       std::string_view charge = words[1].text;
       if (charge.front() == '+') charge.remove_prefix(1);
       int formal_e = 0;
-      if (!mol2Integer(charge, formal_e) || std::abs(formal_e) > kMaxFormalCharge_e)
+      if (!mol2Integer(charge, formal_e) || !isFormalCharge(formal_e))
         return bad(words[1].column,
                    trf("the formal charge is no whole number from -15 to 15: {0}", inQuotes(words[1].text)));
       rows_[attributed_].formal_e = formal_e;

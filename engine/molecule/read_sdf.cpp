@@ -174,7 +174,7 @@ class SdfReader {
         long atom = 0, charge_e = 0;
         const std::size_t at = std::size_t(9 + 8 * k);
         if (line.size() < at + 8 || !sdfInteger(line.substr(at, 4), atom) ||
-            !sdfInteger(line.substr(at + 4, 4), charge_e) || std::abs(charge_e) > kMaxFormalCharge_e)
+            !sdfInteger(line.substr(at + 4, 4), charge_e) || !isFormalCharge(charge_e))
           return badCharges(line);
         if (atom < 1 || std::size_t(atom) > atoms_)
           return bad(at + 1, trf("a charge names the atom {0}, which is not there", atom));
@@ -254,7 +254,7 @@ class SdfReader {
         for (std::string_view item = takeWord(rest); !item.empty(); item = takeWord(rest)) {
           long charge_e = 0;
           if (!item.starts_with("CHG=")) continue;
-          if (!sdfInteger(item.substr(4), charge_e) || std::abs(charge_e) > kMaxFormalCharge_e)
+          if (!sdfInteger(item.substr(4), charge_e) || !isFormalCharge(charge_e))
             return bad(8, trf("the formal charge is no whole number from -15 to 15: {0}", inQuotes(item.substr(4))));
           setFormal(atoms_ - 1, charge_e);
         }

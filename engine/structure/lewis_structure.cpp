@@ -138,8 +138,8 @@ class LewisFinder {
   }
 
   bool statesCharges(std::uint32_t i) const {
-    if (stated_) return !m_.formal_charges_e.empty();
-    if (m_.formal_charges_e.empty() || m_.atoms[i].residue == kNoResidue) return !m_.formal_charges_e.empty();
+    if (m_.formal_charges_e.empty()) return false;
+    if (stated_ || m_.atoms[i].residue == kNoResidue) return true;
     const Residue& r = m_.residues[m_.atoms[i].residue];
     const auto first = m_.formal_charges_e.begin() + std::ptrdiff_t(r.first_atom);
     return std::any_of(first, first + std::ptrdiff_t(r.atom_count), [](std::int8_t c) { return c != 0; });

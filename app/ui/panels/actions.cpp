@@ -295,7 +295,8 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .parted = true,
            .label = N_("Depth of the hand"),
-           .sentence = N_("While you touch, show from the side how deep your hand is"),
+           .sentence =
+               N_("While you touch, show from the side how deep your hand is, and the energy of forces between atoms"),
            .run = [](App& a) { a.settings.depth_gauge = !a.settings.depth_gauge; },
            .on = [](const App& a) { return a.settings.depth_gauge; }},
     Action{.name = "large-text",
