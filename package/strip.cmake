@@ -1,6 +1,6 @@
 # Strips what the packages contain, as Debian's own packages do.
 file(GLOB programs ${CPACK_TEMPORARY_DIRECTORY}/*/usr/bin/* ${CPACK_TEMPORARY_DIRECTORY}/*/usr/lib/python3/dist-packages/*/*.so
-  ${CPACK_TEMPORARY_DIRECTORY}/*/usr/lib/*/moltact/*.so)
+  ${CPACK_TEMPORARY_DIRECTORY}/*/usr/lib/*/moltact/*.so ${CPACK_TEMPORARY_DIRECTORY}/*/usr/lib/*/moltact/moltact-bench)
 foreach(program ${programs})
   execute_process(COMMAND strip --remove-section=.comment --remove-section=.note ${program} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

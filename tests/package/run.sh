@@ -144,6 +144,8 @@ as_user moltact render 1ubq --out "$home/render.png" --size 640x400 --hip 30,29,
 [ "$(identify -format '%wx%h' "$bare$home/render.png")" = 640x400 ] || fail "render: no picture of 640 x 400"
 [ "$(identify -format '%k' "$bare$home/render.png")" -gt 500 ] || fail "render: an empty picture"
 as_user moltact devices | grep -q mouse || fail "devices: no mouse"
+as_user moltact bench feel --quick --methods exact >"$work/bench" || fail "bench: $(cat "$work/bench")"
+grep -q exact "$work/bench" || fail "bench: no row of exact"
 as_user moltact new-lesson trial --folder "$home" >/dev/null
 as_user moltact pack "$home/trial.md" >/dev/null
 [ -s "$bare$home/trial.moltact" ] || fail "pack wrote nothing"
