@@ -26,8 +26,7 @@ class HeldAtomSum {
                                  second * glm::outerProduct(terms.gradient, terms.gradient);
     translational_ += curvature;
     // E(exp(w)): second order in w of arm + w x arm + w x (w x arm) / 2.
-    const glm::dmat3 x(0.0, arm.z, -arm.y, -arm.z, 0.0, arm.x, arm.y, -arm.x, 0.0);
-    rotational_ += -x * curvature * x + 0.5 * (glm::outerProduct(gradient, arm) + glm::outerProduct(arm, gradient)) -
+    rotational_ += atArm(curvature, arm) + 0.5 * (glm::outerProduct(gradient, arm) + glm::outerProduct(arm, gradient)) -
                    glm::dmat3(glm::dot(gradient, arm));
     return first;
   }
@@ -40,6 +39,13 @@ class HeldAtomSum {
   }
 
  private:
+  // X c X^T for a symmetric c, where X v is the cross product of the arm and v.
+  static glm::dmat3 atArm(const glm::dmat3& c, const Vec3& arm) noexcept {
+    const glm::dmat3 half(glm::cross(arm, c[0]), glm::cross(arm, c[1]), glm::cross(arm, c[2]));
+    const glm::dmat3 rows = glm::transpose(half);
+    return {glm::cross(arm, rows[0]), glm::cross(arm, rows[1]), glm::cross(arm, rows[2])};
+  }
+
   // The largest eigenvalue of a symmetric matrix is at most that of its trace and of the norm of its rest.
   static double bound(const glm::dmat3& m) noexcept {
     const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;

@@ -35,10 +35,10 @@ MOLTACT_INLINE V8 squareRoot(V8 a) {
   return out;
 }
 
-// exp(x) for -5 <= x <= 0, to 2e-6: the Taylor polynomial of exp(x / 8), to the eighth power.
-MOLTACT_INLINE V8 exponential(V8 x) {
+// exp(8 y) for -5/8 <= y <= 0, to 2e-6: the Taylor polynomial of exp(y), to the eighth power.
+MOLTACT_INLINE V8 exponentialOfEight(V8 y) {
   // In pairs of terms (Estrin's scheme), which wait less for one another than Horner's.
-  const V8 y = x * 0.125f, y2 = y * y;
+  const V8 y2 = y * y;
   const V8 low = (y + 1.0f) + y2 * (y * (1.0f / 6) + 0.5f),
            high = (y * (1.0f / 120) + 1.0f / 24) + y2 * (y * (1.0f / 5040) + 1.0f / 720);
   V8 p = low + y2 * y2 * high;
@@ -67,14 +67,16 @@ MOLTACT_INLINE Curve coulomb(V8 t, V8 inverse_t, V8 strength) {
       // eps = A + B w, w = 1 / q, q = 1 + k exp(-lambda B r); with one division for w and 1 / eps = q / (A q + B).
       constexpr float kB = 86.9525f, kA = 78.4f - kB, kK = 7.7839f, kRate = 0.003627f * kB;
       // Beyond the largest cut-off, as in empty lanes, q stays that of 15.8 A: it must not overflow.
-      const V8 q = exponential(greater(r * -kRate, all(-5.0f))) * kK + 1.0f, mixed = q * kA + kB,
+      const V8 q = exponentialOfEight(greater(r * (-kRate / 8), all(-5.0f / 8))) * kK + 1.0f, mixed = q * kA + kB,
                both = 1.0f / (q * mixed);
-      const V8 w = mixed * both, s = w * (1.0f - w);
-      const V8 eps = w * kB + kA, eps1 = s * (kB * kRate), eps2 = eps1 * (1.0f - w * 2.0f) * kRate;
+      // The result waits for the division; what does not depend on it is grouped apart, to be computed meanwhile.
+      const V8 w = mixed * both, f = (inverse_r * (q * q)) * both, rise = r * (kB * kRate);
       // f = 1 / (r eps), by r; then by t = r^2.
-      const V8 f = inverse_r * q * q * both, slope = eps + r * eps1;
-      const V8 f1 = -slope * f * f, f2 = slope * slope * f * f * f * 2.0f - (eps1 * 2.0f + r * eps2) * f * f;
-      return {strength * f, strength * f1 * inverse_r * 0.5f, strength * (f2 - f1 * inverse_r) * inverse_t * 0.25f};
+      const V8 slope = ((rise + kB) - rise * w) * w + kA, f_squared = f * f;  // slope: of r eps
+      const V8 first = (strength * (inverse_r * -0.5f)) * f_squared * slope;
+      const V8 eps1 = w * (1.0f - w) * (kB * kRate), eps2 = eps1 * (1.0f - w * 2.0f) * kRate;
+      const V8 f2 = (slope * slope * f * 2.0f - (eps1 * 2.0f + r * eps2)) * f_squared;
+      return {strength * f, first, (strength * f2 * 0.25f - first * 0.5f) * inverse_t};
     }
   }
 }
@@ -95,7 +97,7 @@ MOLTACT_INLINE double total(V8 v) {
 struct PairLanes {
   V8 dx, dy, dz;
   V8 energy[kEnergyParts];
-  V8 slope, curvature;  // twice the energy's derivative by t, and four times its second derivative
+  V8 first, second;  // the derivatives by t
 };
 
 template <Dielectric kind>
@@ -115,15 +117,14 @@ MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, c
   static_assert(sizeof parts == kEnergyParts * sizeof(Curve), "one curve for each EnergyPart");
   // Nearer than kMinPair_A the energy continues with the slope at that distance.
   const V8 inside = far - t;
-  V8 first{}, second{};
+  out.first = out.second = all(0.0f);
   for (std::size_t k = 0; k < kEnergyParts; ++k) {
     const Curve part = switched(parts[k], s, s1, s2);
     out.energy[k] = part.value + part.first * inside;
-    first += part.first;
-    second += part.second;
+    out.first += part.first;
+    out.second += part.second;
   }
-  out.slope = first * 2.0f;
-  out.curvature = inside < 0.0f ? all(0.0f) : second * 4.0f;
+  out.second = inside < 0.0f ? all(0.0f) : out.second;
   return out;
 }
 
@@ -134,28 +135,30 @@ MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants&
   for (int b = 0; b < count; ++b) {
     const PairLanes p = pairs<kind>(blocks[b], c, own);
     for (std::size_t k = 0; k < kEnergyParts; ++k) energy[k] += p.energy[k];
-    gx += p.slope * p.dx;
-    gy += p.slope * p.dy;
-    gz += p.slope * p.dz;
+    gx += p.first * p.dx;
+    gy += p.first * p.dy;
+    gz += p.first * p.dz;
     if constexpr (!curved) continue;
-    const V8 ax = p.curvature * p.dx, ay = p.curvature * p.dy;
-    xx += p.slope + ax * p.dx;
-    yy += p.slope + ay * p.dy;
-    zz += p.slope + p.curvature * p.dz * p.dz;
+    const V8 steep = p.second * 2.0f, ax = steep * p.dx, ay = steep * p.dy;
+    xx += p.first + ax * p.dx;
+    yy += p.first + ay * p.dy;
+    zz += p.first + steep * p.dz * p.dz;
     xy += ax * p.dy;
     xz += ax * p.dz;
     yz += ay * p.dz;
   }
   for (std::size_t k = 0; k < kEnergyParts; ++k) terms.energy.values[k] += total(energy[k]);
-  terms.gradient += Vec3(total(gx), total(gy), total(gz));
+  // By the place: t's derivative is 2 (dx, dy, dz).
+  terms.gradient += 2.0 * Vec3(total(gx), total(gy), total(gz));
+  if constexpr (!curved) return;
   const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
-  for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += total(*curvature[k]);
+  for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += 2.0 * total(*curvature[k]);
 }
 
 template <Dielectric kind>
 void eachPair(const PairBlock& block, const PairConstants& c, const PairOwn& own, PairGradients& out) noexcept {
   const PairLanes p = pairs<kind>(block, c, own);
-  const V8 x = p.slope * p.dx, y = p.slope * p.dy, z = p.slope * p.dz;
+  const V8 slope = p.first * 2.0f, x = slope * p.dx, y = slope * p.dy, z = slope * p.dz;
   for (int k = 0; k < PairBlock::kLanes; ++k) out[std::size_t(k)] = Vec3(double(x[k]), double(y[k]), double(z[k]));
 }
 
