@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/platform/background.h"
+
 namespace moltact::bench {
 
 void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& work,
@@ -26,11 +28,11 @@ void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& wo
       if (reports && done) done(finished);
     }
   };
-  {
-    std::vector<std::jthread> others;
+  std::vector<std::thread> others;
+  if (threadsAvailable())
     for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back([&] { run(false); });
-    run(true);
-  }
+  run(true);
+  for (std::thread& other : others) other.join();
   if (thrown) std::rethrow_exception(thrown);
 }
 

@@ -24,6 +24,12 @@ inline constexpr int kMaxFormalCharge_e = 15;
 /// Whether a number from a file can be a formal charge.
 constexpr bool isFormalCharge(long long e) { return e >= -kMaxFormalCharge_e && e <= kMaxFormalCharge_e; }
 
+/// The largest amount of a partial charge (unit: elementary charge). No atom has more; greater ones would overflow the
+/// sums of forces.
+inline constexpr int kMaxPartialCharge_e = 100;
+/// Reads a partial charge. Returns the error's text, or an empty one if `charge_e` was set.
+std::string partialChargeFault(std::string_view text, double& charge_e);
+
 /// One atom of the file. The texts need to be valid only during the call that receives them.
 struct ParsedAtom {
   std::string_view name;         ///< "CA"

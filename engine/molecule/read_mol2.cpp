@@ -165,9 +165,8 @@ class Mol2Reader {
     if (has_charges_) {
       if (words.size() < 9)
         return bad(line.size() + 1, tr("the atom has no charge, although the molecule's fourth line names charges"));
-      if (!parseNumber(words[8].text, row.charge_e))
-        return bad(words[8].column,
-                   trf("expected a number for {0}, found {1}", tr("the charge"), inQuotes(words[8].text)));
+      if (std::string fault = partialChargeFault(words[8].text, row.charge_e); !fault.empty())
+        return bad(words[8].column, std::move(fault));
     }
     row.line = text_.number();
     if (rows_.size() >= kMaxMol2Atoms)

@@ -49,8 +49,7 @@ std::optional<Problem> pdbqtAtom(std::string_view line, const std::string& file,
       return bad(at + 1, trf("{0} is not a number: {1}", std::string(1, "xyz"[k]), inQuotes(line.substr(at, 8))));
   }
   const std::string_view charge = trimmed(line.substr(66, 10));
-  if (!parseNumber(charge, atom.charge_e))
-    return bad(71, trf("expected a number for {0}, found {1}", tr("the charge"), inQuotes(charge)));
+  if (std::string fault = partialChargeFault(charge, atom.charge_e); !fault.empty()) return bad(71, std::move(fault));
   const std::string_view residue_number = trimmed(line.substr(22, 4));
   const auto [end, error] =
       std::from_chars(residue_number.data(), residue_number.data() + residue_number.size(), atom.number);

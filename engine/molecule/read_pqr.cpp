@@ -50,7 +50,8 @@ std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view lin
                        quantityText(kMaxCoordinate_A, Dimension::Length, plain())),
                    tr("correct or remove the line")};
   atom.position_A = {value[0], value[1], value[2]};
-  atom.charge_e = value[3];
+  if (std::string fault = partialChargeFault(words[place + 3].text, atom.charge_e); !fault.empty())
+    return Problem{file, number, at(place + 3), std::move(fault), tr(kPqrRemedy)};
   atom.radius_A = value[4];
   atom.name = words[1].text;
   atom.residue = words[2].text;

@@ -45,6 +45,15 @@ Problem noSuchModel(const std::string& file, int asked, int models) {
 
 std::string allChargesZero() { return tr("All charges of the file are 0; it is read as a file without charges."); }
 
+std::string partialChargeFault(std::string_view text, double& charge_e) {
+  double read_e = 0.0;
+  if (!parseNumber(text, read_e)) return trf("expected a number for {0}, found {1}", tr("the charge"), inQuotes(text));
+  if (!(std::abs(read_e) <= kMaxPartialCharge_e))
+    return trf("the charge {0} is not from {1} to {2}", inQuotes(text), -kMaxPartialCharge_e, kMaxPartialCharge_e);
+  charge_e = read_e;
+  return {};
+}
+
 Problem noAssembly(const std::string& file) {
   return {file, 0, 0, tr("a file of this format describes no biological assembly"),
           tr("read it without one, or take the PDB or mmCIF file")};

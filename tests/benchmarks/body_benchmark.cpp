@@ -3,8 +3,9 @@
 // process, so that figures of different machines can be compared. `moltact bench bodies` compares methods.
 // A second table times the sum of the body's energies with the scene (PairSum) at the poses in which the body rested. All
 // atoms are carbon there, with charges of 0.2 and -0.2 in turn; heavy atoms only.
-// A third table does so for two chains of haemoglobin with all hydrogens that carry charges, 1 298 atoms against 1 358 (2 142
-// against 2 241 with all hydrogens), and for one of them in 498 copies of the other, as many atoms as a capsid has.
+// A third table does so for a ligand, 200 atoms and two chains of haemoglobin with all hydrogens that carry charges, 1 298
+// atoms against 1 358 (2 142 against 2 241 with all hydrogens), and for one of them in 498 copies of the other, as many
+// atoms as a capsid has.
 // Run: build/release/body_benchmark [name of a scene, see body_tasks.h]
 //      build/release/body_benchmark chains     the third table alone
 //      build/release/body_benchmark points     the penalty of points with other stiffnesses of its pushes, in the scenes
@@ -111,7 +112,7 @@ bench::EnergyTask amongCopies(const bench::EnergyTask& task, int copies) {
   return out;
 }
 
-void timeChain(const bench::EnergyTask& task, Dielectric kind, const char* title) {
+void timeField(const bench::EnergyTask& task, Dielectric kind, const char* title) {
   const std::vector<PoseA> path = bench::energyPath(task, kTicks);
   PairModel model;
   model.kind = kind;
@@ -217,18 +218,23 @@ int main(int argc, char** argv) {
     timePairs(task, Dielectric::Distance, "distance");
     timePairs(task, Dielectric::MehlerSolmajer, "Mehler-Solmajer");
   }
-  const auto chain = bench::energyTask("chain", open);
-  if (!chain) {
-    std::fprintf(stderr, "%s\n", chain.problem().text().c_str());
-    return 2;
-  }
   if (argc < 2 || std::string_view(argv[1]) == "chains") {
+    std::vector<bench::EnergyTask> fields;
+    for (const std::string_view name : bench::kEnergyTasks) {
+      auto task = bench::energyTask(name, open);
+      if (!task) {
+        std::fprintf(stderr, "%s\n", task.problem().text().c_str());
+        return 2;
+      }
+      fields.push_back(*std::move(task));
+    }
+    fields.push_back(amongCopies(fields.back(), 498));
     std::printf(
         "\n| body | held | scene | dielectric | pairs in lists | mean us | p99.9 | mean / loop | p99.9 / loop |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
-    for (const bench::EnergyTask& task : {*chain, amongCopies(*chain, 498)}) {
-      timeChain(task, Dielectric::Distance, "distance");
-      timeChain(task, Dielectric::MehlerSolmajer, "Mehler-Solmajer");
+    for (const bench::EnergyTask& task : fields) {
+      timeField(task, Dielectric::Distance, "distance");
+      timeField(task, Dielectric::MehlerSolmajer, "Mehler-Solmajer");
     }
   }
   std::printf("loop of 1000 sphere distances: %.2f us\n", bench::distanceLoop_ns() / 1e3);

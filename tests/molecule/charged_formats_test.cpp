@@ -109,6 +109,7 @@ TEST_CASE("errors in a MOL2 file are reported at their place") {
       "known substructure number, its name and charge";
   CHECK(with("   -0.6000\n", "   minus\n") == "x.mol2:9:64: expected a number for the charge, found 'minus'" + again);
   CHECK(with("   -0.6000\n", "   nan\n") == "x.mol2:9:64: expected a number for the charge, found 'nan'" + again);
+  CHECK(with("   -0.6000\n", "   100.5\n") == "x.mol2:9:64: the charge '100.5' is not from -100 to 100" + again);
   CHECK(with("        0.1000\n", "\n") ==
         "x.mol2:8:57: the atom has no charge, although the molecule's fourth line names charges" + again);
   CHECK(with("1.4000", "1,4000") == "x.mol2:9:15: expected a number for x, found '1,4000'" + again);
@@ -204,6 +205,7 @@ TEST_CASE("errors in a PDBQT file are reported at their place") {
       "the file anew (obabel, prepare_receptor)";
   CHECK(with("-0.350 OA", "-0.3x0 OA") == "x.pdbqt:5:71: expected a number for the charge, found '-0.3x0'" + again);
   CHECK(with("-0.350 OA", "   inf OA") == "x.pdbqt:5:71: expected a number for the charge, found 'inf'" + again);
+  CHECK(with("-0.350 OA", "-1e+09 OA") == "x.pdbqt:5:71: the charge '-1e+09' is not from -100 to 100" + again);
   CHECK(with("-0.350 OA", "       OA") == "x.pdbqt:5:71: expected a number for the charge, found ''" + again);
   CHECK(with("  -0.350 OA", "") == "x.pdbqt:5:69: the atom's line ends before its charge and type do" + again);
   CHECK(with("  -1.080", "  -1,080") == "x.pdbqt:5:39: y is not a number: '  -1,080'" + again);

@@ -150,6 +150,10 @@ TEST_CASE("the element after the radius in a PQR file of Open Babel counts more 
   CHECK(m.spheres[1].centre_A == Vec3(1, 2, 6));
   CHECK(problemOf("ATOM 1 N ALA A 1 1 2 3 -0.3 nan\n", "x.pqr")
             .starts_with("x.pqr:1:29: expected a number for the radius, found 'nan'"));
+  CHECK(problemOf("ATOM 1 N ALA A 1 1 2 3 nan 1.8\n", "x.pqr")
+            .starts_with("x.pqr:1:24: expected a number for the charge, found 'nan'"));
+  CHECK(problemOf("ATOM 1 N ALA A 1 1 2 3 -1e20 1.8\n", "x.pqr")
+            .starts_with("x.pqr:1:24: the charge '-1e20' is not from -100 to 100"));
 }
 
 TEST_CASE("errors in a PQR file are reported at their place") {

@@ -55,7 +55,7 @@ TEST_CASE(
 
 TEST_CASE(
     "amprenavir in 1HPV, minimised from the crystal's pose, stays within 1 A of it in all three dielectrics, and comes "
-    "back from most of 40 poses 0.5 A and 15 degrees off") {
+    "back from each of 40 poses 0.5 A and 15 degrees off, from none to a lower energy") {
   const Molecule m = test::libraryMolecule("1hpv.pdb");
   std::vector<std::uint32_t> ligand;
   for (std::uint32_t i = 0; i < m.atoms.size(); ++i)
@@ -96,6 +96,7 @@ TEST_CASE(
       lower += minimiser.energy().energy.felt_kcal_mol < last.felt_kcal_mol - 0.5;
     }
     MESSAGE(dielectric, ": ", back, " of 40 came within 1 A, ", lower, " lower than from the crystal's pose");
-    CHECK(back >= 25);
+    CHECK(back == 40);
+    CHECK(lower == 0);
   }
 }
