@@ -85,6 +85,7 @@ void DeviceModel::moveOn(const Vec3& to) {
 
 void DeviceModel::turnOn(const Quat& to) {
   const Quat from = wrist_;
+  if (to == from && q_ == from && w_ == Vec3(0.0) && held_turn_ == Vec3(0.0)) return;  // at rest
   const Vec3 wrist_w = rotationBetween(from, to) / device_.tick_s;
   const double dt = device_.tick_s / device_.substeps;
   for (int k = 0; k < device_.substeps; ++k) {

@@ -44,7 +44,7 @@ TEST_CASE(
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
   CHECK(all.turned > all.ticks / 20);
-  CHECK(all.exact > all.ticks / 40);
+  CHECK(all.exact > all.ticks / 50);
   CHECK(all.peak_N > 1.5);
   CHECK(all.restless_m_per_s < 0.03);
   CHECK(all.cuts == 0);
