@@ -4,10 +4,24 @@
 #include "app/commands/command.h"
 #include "app/commands/print_json.h"
 #include "engine/device/driver.h"
+#include "engine/language/quantity_text.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
+
+// Null: not known.
+nlohmann::ordered_json dampingOf(const FoundDevice& one) {
+  return one.rotational_damping_N_mm_s > 0.0 ? nlohmann::ordered_json(one.rotational_damping_N_mm_s) : nullptr;
+}
+
+// Of a device with force: "torque up to 170 N mm, rotational damping not known".
+std::string turning(const FoundDevice& one) {
+  return (one.max_torque_N_mm > 0.0 ? "torque up to " + numberText(one.max_torque_N_mm) + " N mm" : "no torque") +
+         ", rotational damping " +
+         (one.rotational_damping_N_mm_s > 0.0 ? numberText(one.rotational_damping_N_mm_s) + " N mm s/rad"
+                                              : "not known");
+}
 
 void printJson(const std::vector<FoundDevice>& found) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -18,6 +32,8 @@ void printJson(const std::vector<FoundDevice>& found) {
                    {"usable", one.usable},
                    {"why_not", one.why},
                    {"gives_force", one.gives_force},
+                   {"max_torque_N_mm", one.max_torque_N_mm},
+                   {"rotational_damping_N_mm_s", dampingOf(one)},
                    {"default", &one == &defaultDevice(found)}});
   printDocument(all);
 }
@@ -31,6 +47,7 @@ void printText(const std::vector<FoundDevice>& found) {
     out() << (one.usable ? one.gives_force ? ": ready, gives force" : ": ready, gives no force" : ": not usable");
     if (&one == &defaultDevice(found)) out() << " (the default)";
     out() << '\n';
+    if (one.gives_force) out() << std::string(width + 2, ' ') << turning(one) << '\n';
     if (!one.why.empty()) out() << std::string(width + 2, ' ') << one.why << '\n';
   }
 }

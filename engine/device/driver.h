@@ -25,8 +25,10 @@ struct FoundDevice {
   bool usable = false;
   std::string why = {};  ///< if not usable: the reason and the remedy; else empty
   bool gives_force = false;
-  bool auto_selectable = false;  ///< may be selected without a request by the user
-  std::string note = {};         ///< information for the user before the device is used; may be empty
+  double max_torque_N_mm = 0.0;            ///< peak torque; 0: it drives none
+  double rotational_damping_N_mm_s = 0.0;  ///< b_r of the mechanism, per radian; 0: not known
+  bool auto_selectable = false;            ///< may be selected without a request by the user
+  std::string note = {};                   ///< information for the user before the device is used; may be empty
 };
 
 /// One row of the table of drivers.

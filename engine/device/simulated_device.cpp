@@ -9,9 +9,11 @@ DeviceInfo describe(const DeviceParameters& device) {
   DeviceInfo info{phantomOmniFigures()};
   info.name = N_("Simulated stylus");
   info.dof_in = 6;
-  info.dof_out = 3;
+  info.dof_out = 6;
   info.workspace_mm = Vec3(2 * ScriptedHand::kAway_mm + 40.0);  // its hand starts farther away than an Omni reaches
   info.max_force_N = device.max_force_N;
+  info.max_torque_N_mm = device.max_torque_N_mm;
+  info.rotational_damping_N_mm_s = device.rotational_damping_N_mm_s;
   info.damping_N_s_per_m = device.damping_N_s_per_m;
   info.friction_N = device.friction_N;
   info.resolution_mm = device.resolution_mm;
@@ -21,17 +23,19 @@ DeviceInfo describe(const DeviceParameters& device) {
 }
 
 SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParameters& hand)
-    : info_(describe(device)), model_(std::make_shared<DeviceModel>(device, hand, ScriptedHand().place())) {}
+    : info_(describe(device)),
+      model_(std::make_shared<DeviceModel>(device, hand, ScriptedHand().place(), ScriptedHand().orientation())) {}
 
 DevicePose SimulatedDevice::read(double) noexcept {
   return {.position = {model_->sensed().mm - Vec3(0, 0, kSimulatedTargetDepth_mm)},
           .connected = plugged_.load(std::memory_order_acquire),
-          .orientation = hand_.orientation()};
+          .orientation = model_->orientation()};
 }
 
-void SimulatedDevice::write(ForceN force) noexcept {
-  if (!plugged_.load(std::memory_order_acquire)) force = {};
-  model_->tick(force, hand_.lead(0.001, model_->held()));
+void SimulatedDevice::writeWrench(const Wrench& wrench) noexcept {
+  const bool in = plugged_.load(std::memory_order_acquire);
+  const PointMm target = hand_.lead(0.001, model_->held());
+  model_->tick(in ? wrench : Wrench{}, target, hand_.orientation());
 }
 
 DeviceStatus SimulatedDevice::status() {
@@ -46,7 +50,14 @@ const DeviceDriver kSimulatedDriver{
     .name = "simulated",
     .sentence = N_("A simulated stylus in a hand that feels its way round the molecule: for demonstrations and tests."),
     .find =
-        [] { return std::vector{FoundDevice{.title = N_("Simulated stylus"), .usable = true, .gives_force = true}}; },
+        [] {
+          const DeviceParameters model;
+          return std::vector{FoundDevice{.title = N_("Simulated stylus"),
+                                         .usable = true,
+                                         .gives_force = true,
+                                         .max_torque_N_mm = model.max_torque_N_mm,
+                                         .rotational_damping_N_mm_s = model.rotational_damping_N_mm_s}};
+        },
     .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> {
       return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>());
     },

@@ -1,5 +1,6 @@
-// A simulated force-feedback stylus: the device model (device_model.h) held by the scripted hand or by a hand that a
-// test controls. The written force moves it, which closes the loop. Haptic thread unless stated otherwise.
+// A simulated force-feedback stylus with three forces and three torques: the device model (device_model.h) held by the
+// scripted hand. The written force moves it and the torque turns it, which closes the loop. Haptic thread unless stated
+// otherwise.
 #pragma once
 
 #include <atomic>
@@ -23,7 +24,8 @@ class SimulatedDevice final : public Device {
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override;
   /// Advances the model by one tick.
-  void write(ForceN force) noexcept override;
+  void write(ForceN force) noexcept override { writeWrench({force, Vec3(0.0)}); }
+  void writeWrench(const Wrench& wrench) noexcept override;
   DeviceStatus status() override;
 
   /// The model, which may outlive the device. Read it only while no tick runs.

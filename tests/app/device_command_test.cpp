@@ -54,7 +54,15 @@ TEST_CASE("moltact devices lists every driver, one default, and a reason for eac
   }
   CHECK(defaults == 1);
   CHECK(all.back()["name"] == "mouse");
-  CHECK(contains(moltact("devices").out, "simulated"));
+  // The rotational damping: a figure of the model, of no real device.
+  for (const auto& one : all) {
+    const bool simulated = one["name"] == "simulated";
+    CHECK(one["max_torque_N_mm"] == (simulated ? 170.0 : 0.0));
+    CHECK(one["rotational_damping_N_mm_s"].is_null() != simulated);
+  }
+  const std::string text = moltact("devices").out;
+  CHECK(contains(text, "simulated"));
+  CHECK(contains(text, "torque up to 170 N mm, rotational damping 1 N mm s/rad"));
 }
 
 TEST_CASE("moltact device check passes the simulated stylus with --yes, and without an answer gives no force") {

@@ -40,7 +40,67 @@ double growth(double damping, int delay, double stiffness_N_per_m) {
   return last / first;
 }
 
+// The same for a handle that is struck about an oblique axis against a torsion spring.
+double turningGrowth(double damping_N_mm_s, int delay, double stiffness_N_mm) {
+  DeviceParameters parameters = ideal(0.2, delay);
+  parameters.rotational_damping_N_mm_s = damping_N_mm_s;
+  parameters.max_torque_N_mm = 1e9;
+  const Vec3 axis = glm::normalize(Vec3(1, 2, -1));
+  DeviceModel device(parameters, kNoHand, {});
+  device.strike(Vec3(0.0), 1e-3 * axis);
+  double first = 0, last = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 angle = rotationBetween(kNoRotation, device.orientation());
+    device.tick({{}, -stiffness_N_mm * angle}, {}, kNoRotation);
+    const double swing = glm::length(rotationBetween(kNoRotation, device.orientation()));
+    if (k < 200) first = std::max(first, swing);
+    if (k >= 1800) last = std::max(last, swing);
+  }
+  return last / first;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "a handle of 5e-5 kg m2 that turns at 2 rad/s against 1 N mm s/rad comes to rest after I w / b_r = 0.1 rad, and 50 "
+    "N "
+    "mm against a wrist of 500 N mm/rad turn it by 0.1 rad") {
+  DeviceModel free(ideal(0.2), kNoHand, {});
+  const Vec3 axis = glm::normalize(Vec3(0.2, -1, 0.5));
+  free.strike(Vec3(0.0), 0.1 * axis);
+  CHECK(glm::distance(free.turning_rad_per_s(), 2.0 * axis) < 1e-12);
+  for (int k = 0; k < 50; ++k) free.tick({}, {});
+  CHECK(glm::length(free.turning_rad_per_s()) == doctest::Approx(2.0 * std::exp(-1.0)).epsilon(1e-9));
+  for (int k = 0; k < 2000; ++k) free.tick({}, {});
+  CHECK(glm::distance(rotationBetween(kNoRotation, free.orientation()), 0.1 * axis) < 1e-9);
+
+  DeviceModel held({.delay_ticks = 0}, {}, {});
+  for (int k = 0; k < 3000; ++k) held.tick({{}, 50.0 * axis}, {}, kNoRotation);
+  CHECK(glm::distance(rotationBetween(kNoRotation, held.orientation()), 0.1 * axis) < 1e-9);
+  CHECK(glm::length(held.turning_rad_per_s()) < 1e-9);
+  // Beyond the peak torque of 170 N mm.
+  for (int k = 0; k < 3000; ++k) held.tick({{}, 400.0 * axis}, {}, kNoRotation);
+  CHECK(glm::distance(rotationBetween(kNoRotation, held.orientation()), 0.34 * axis) < 1e-9);
+  // The wrist turns the handle along.
+  const Quat wrist = glm::angleAxis(2.5, axis);
+  for (int k = 0; k < 3000; ++k)
+    held.tick({{}, Vec3(std::numeric_limits<double>::quiet_NaN())}, {},
+              glm::slerp(kNoRotation, wrist, std::min(1.0, k / 1000.0)));
+  CHECK(glm::length(rotationBetween(wrist, held.orientation())) < 1e-9);
+}
+
+TEST_CASE(
+    "a sampled torsion spring is stable below b_r / (T/2 + t_d) and unstable above, with no delay and with one tick of "
+    "it") {
+  for (const int delay : {0, 1})
+    for (const double b : {0.5, 1.0, 2.0}) {
+      const double bound = b / (0.0005 + 0.001 * delay);
+      CAPTURE(delay);
+      CAPTURE(b);
+      CHECK(turningGrowth(b, delay, 0.85 * bound) < 0.9);
+      CHECK(turningGrowth(b, delay, 1.15 * bound) > 1.1);
+    }
+}
 
 TEST_CASE("in free flight 45 g at 0.1 m/s against 0.2 N s/m come to rest after m v / b = 22.5 mm") {
   DeviceModel device(ideal(0.2), kNoHand, {});

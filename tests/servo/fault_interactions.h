@@ -1,11 +1,15 @@
-// The interactions of the fault suite besides the methods: a tracker with invalid answers, and a rigid body with known
-// springs. Unit: angstrom.
+// The interactions of the fault suite besides the methods: a tracker with invalid answers, and rigid bodies of which the
+// suite computes the stored energy itself. Unit: angstrom.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/wrapped_interaction.h"
@@ -27,14 +31,66 @@ class BadTracker final : public WithoutMemory<Tracker> {
   Vec3 scp_;
 };
 
-/// A rigid body of two to six spheres in the hand, and a separate tracker with the same poses for each of them, to
-/// compute the stored energy.
-class WatchedBody final : public WrappedInteraction {
+/// A rigid body of two to six spheres in the hand.
+class WatchedBody : public WrappedInteraction {
  public:
   static constexpr double kArm_A = 1.5;
+  using WrappedInteraction::WrappedInteraction;
+  /// The energy of the springs for the hand at this pose and the surface's last answer, divided by the stiffness.
+  virtual double potential_A2(PointA place, const Quat& orientation) const = 0;
+  /// The deepest overlap of the last answer with these spheres. Zero where the method permits overlaps.
+  virtual double overlap_A(const std::vector<Sphere>&) const { return 0.0; }
 
-  WatchedBody(const std::shared_ptr<const SphereGrid>& scene, std::vector<Sphere> spheres)
-      : WrappedInteraction(std::make_unique<RigidBody>(
+  static std::shared_ptr<const HeldBody> bodyOf(const std::vector<Sphere>& spheres) {
+    std::vector<std::uint32_t> all(spheres.size());
+    for (std::uint32_t k = 0; k < all.size(); ++k) all[k] = k;
+    return heldBody(spheres, all);
+  }
+};
+
+/// The exact body. Its energy follows from its pose alone: one spring to the hand's place, one to its orientation.
+class WatchedExactBody final : public WatchedBody {
+ public:
+  WatchedExactBody(const std::shared_ptr<const SphereGrid>& scene, const std::vector<Sphere>& spheres)
+      : WatchedBody(std::make_unique<ExactBody>(scene, bodyOf(spheres))), body_(bodyOf(spheres)) {
+    // The lever of the rotational spring: the radius of gyration about the middle.
+    Vec3 middle(0.0);
+    for (const Sphere& s : body_->spheres) middle += s.centre_A / double(body_->spheres.size());
+    for (const Sphere& s : body_->spheres)
+      gyration2_ += glm::dot(s.centre_A - middle, s.centre_A - middle) / double(body_->spheres.size());
+  }
+  Response respond(const PoseA& pose) noexcept override {
+    const Response out = inner().respond(pose);
+    at_ = out.body_pose;
+    return out;
+  }
+  double potential_A2(PointA place, const Quat& orientation) const override {
+    if (!at_) return 0.0;
+    const Vec3 d = at_->place.A - place.A;
+    const double angle = 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(at_->orientation, orientation))));
+    return 0.5 * (glm::dot(d, d) + gyration2_ * angle * angle);
+  }
+  double overlap_A(const std::vector<Sphere>& scene) const override {
+    double out = 0.0;
+    for (const Sphere& b : body_->spheres)
+      for (const Sphere& s : scene)
+        if (at_)
+          out = std::max(
+              out, s.radius_A + b.radius_A - glm::distance(at_->place.A + at_->orientation * b.centre_A, s.centre_A));
+    return out;
+  }
+
+ private:
+  std::shared_ptr<const HeldBody> body_;
+  double gyration2_ = 0.0;
+  std::optional<PoseA> at_;
+};
+
+/// The interaction `springs`, and a separate tracker with the same poses for each sphere.
+class WatchedSprings final : public WatchedBody {
+ public:
+  WatchedSprings(const std::shared_ptr<const SphereGrid>& scene, const std::vector<Sphere>& spheres)
+      : WatchedBody(std::make_unique<RigidBody>(
             bodyOf(spheres), [&](double radius_A) { return methods().front().make(scene, radius_A); })),
         body_(bodyOf(spheres)) {
     for (const Sphere& b : body_->spheres) atoms_.push_back({b.centre_A, methods().front().make(scene, b.radius_A)});
@@ -49,8 +105,7 @@ class WatchedBody final : public WrappedInteraction {
     if (out.contact.fault == moltact::Fault::StartedInside) resetAtoms();
     return out;
   }
-  /// The energy of the springs for the present SCPs, divided by the stiffness.
-  double potential_A2(PointA place, const Quat& orientation) const {
+  double potential_A2(PointA place, const Quat& orientation) const override {
     double sum = 0;
     for (const Atom& a : atoms_) {
       const Vec3 d = a.scp - place.A - orientation * a.lever;
@@ -75,11 +130,6 @@ class WatchedBody final : public WrappedInteraction {
     Vec3 scp{0.0};
     bool touching = false;
   };
-  static std::shared_ptr<const HeldBody> bodyOf(const std::vector<Sphere>& spheres) {
-    std::vector<std::uint32_t> all(spheres.size());
-    for (std::uint32_t k = 0; k < all.size(); ++k) all[k] = k;
-    return heldBody(spheres, all);
-  }
   void resetAtoms() noexcept {
     for (Atom& a : atoms_) a.tracker->reset();
   }

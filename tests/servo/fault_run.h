@@ -13,6 +13,7 @@ struct FaultRunResult {
   std::uint64_t ticks = 0;      ///< of the servo loop
   std::uint64_t contact = 0;    ///< ticks with contact
   std::uint64_t turned = 0;     ///< ticks with a rigid body in contact
+  std::uint64_t exact = 0;      ///< those with the exact body
   std::uint64_t faults = 0;     ///< injected faults
   std::uint64_t cuts = 0;       ///< number of times the force was cut because energy was generated while the hand was
                                 ///< still

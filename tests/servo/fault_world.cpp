@@ -84,14 +84,19 @@ void FaultWorld::newTracker() {
   frames_.clear();
   follows_ = true;
   summed_ = false;
-  if (seed_ % 5 == 4) {  // a rigid body, not a point
+  exact_ = seed_ % 5 == 3;
+  if (exact_ || seed_ % 5 == 4) {  // a rigid body, not a point: the program's default, or the springs of its atoms
     std::vector<Sphere> atoms;
     for (int k = int(random.uniform(2, 7)); k > 0; --k)
       atoms.push_back({random.direction() * WatchedBody::kArm_A, settings.probe_A + kBodyOverlap_A});
-    auto body = std::make_unique<WatchedBody>(makeScene(scene_.spheres), std::move(atoms));
+    std::unique_ptr<WatchedBody> body;
+    if (exact_)
+      body = std::make_unique<WatchedExactBody>(makeScene(scene_.spheres), atoms);
+    else
+      body = std::make_unique<WatchedSprings>(makeScene(scene_.spheres), atoms);
     body_ = body.get();
     tracker_ = std::move(body);
-    method_ = "rigid body";
+    method_ = exact_ ? "exact body" : "springs";
     return;
   }
   tracker_ = method.make(makeScene(scene_.spheres), settings.probe_A);
@@ -143,6 +148,11 @@ void FaultWorld::tick(const TickInput& how) {
   ++out_.ticks;
   out_.contact += sample.contact.touching();
   out_.turned += !bad && body_ && sample.contact.touching();
+  out_.exact += !bad && exact_ && sample.contact.touching();
+  if (!bad && body_ && sample.has_interaction) {
+    const double overlap_A = body_->overlap_A(scene_.spheres);
+    if (overlap_A > 1e-9) broken("the body overlaps the molecule", overlap_A);
+  }
   cuts_ += sample.limits.has(Limit::EnergyCut);
   judge(sample, how);
   command_ = sample.force;

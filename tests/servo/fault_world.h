@@ -95,6 +95,7 @@ class FaultWorld {
   bool follows_ = true;                                      // tracker_ follows the spheres
   bool summed_ = false;                                      // its energy is the sum of one spring per sphere
   WatchedBody* body_ = nullptr;                              // tracker_, if it is such a body
+  bool exact_ = false;                                       // and the exact one
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));
   std::string_view method_;

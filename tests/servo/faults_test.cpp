@@ -30,19 +30,21 @@ TEST_CASE(
     all.ticks += one.ticks;
     all.contact += one.contact;
     all.turned += one.turned;
+    all.exact += one.exact;
     all.faults += one.faults;
     all.cuts += one.cuts;
     all.body_cuts += one.body_cuts;
     all.peak_N = std::max(all.peak_N, one.peak_N);
     all.restless_m_per_s = std::max(all.restless_m_per_s, one.restless_m_per_s);
   }
-  MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact
-                << " in contact, at most " << all.peak_N << " N; a second after a fault at most "
-                << all.restless_m_per_s << " m/s, " << all.cuts << " cuts, " << all.body_cuts
-                << " of a body pressed beyond the greatest force");
+  MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact << " in contact, "
+                << all.exact << " of them of the exact body, at most " << all.peak_N
+                << " N; a second after a fault at most " << all.restless_m_per_s << " m/s, " << all.cuts << " cuts, "
+                << all.body_cuts << " of a body pressed beyond the greatest force");
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
-  CHECK(all.turned > all.ticks / 40);
+  CHECK(all.turned > all.ticks / 20);
+  CHECK(all.exact > all.ticks / 50);
   CHECK(all.peak_N > 1.5);
   CHECK(all.restless_m_per_s < 0.03);
   CHECK(all.cuts == 0);
