@@ -14,6 +14,7 @@
 #include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/energies/energy_trade_off.h"
 #include "engine/bench/energies/field_matrix.h"
+#include "engine/bench/energies/page_ticks.h"
 #include "engine/bench/feel.h"
 #include "engine/bench/felt.h"
 #include "engine/bench/hand_replay.h"
@@ -31,6 +32,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
+#include "engine/platform/read_file.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 
@@ -350,10 +352,19 @@ void addBodies(const BenchArguments& arguments, Report& report) {
 void addEnergies(const BenchArguments& arguments, Report& report) {
   EnergyTradeOffOptions options;
   if (arguments.quick) options.ticks = 200, options.runs = 2, options.judged_pairs = 1e7, options.min_spacing_A = 0.5;
+  std::string page_ticks;
+  if (!arguments.page_ticks.empty()) {
+    auto lines = readFile(arguments.page_ticks, 1u << 20, "use what moltact_energy_ticks printed");
+    if (!lines) throw CommandError{lines.problem().text()};
+    page_ticks = *std::move(lines);
+    std::vector<EnergyTradeOff> none;  // a fault ends the command before anything is measured
+    if (const auto problem = addPageTicks(page_ticks, none)) throw CommandError{problem->text()};
+  }
   const ProgressBar bar("energies");
-  const auto points = measureEnergies(
+  auto points = measureEnergies(
       options, [](const std::string& id) { return openMolecule(id); }, std::cref(bar));
   if (!points) throw CommandError{points.problem().text()};
+  if (!page_ticks.empty()) addPageTicks(page_ticks, *points);
   report.tables.push_back(energyTradeOffTable(*points, options));
   report.sentences.push_back({"energy_trade_off_sentences", energyTradeOffSentences(*points)});
   report.pictures.push_back({"energies.svg", energyTradeOffChart(*points)});

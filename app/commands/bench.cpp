@@ -69,6 +69,11 @@ void addBench(CLI::App& app) {
       ->add_option("--molecule", arguments->recording_molecule,
                    "The molecule of these hands, if the file does not name it")
       ->type_name(kMoleculeType);
+  command
+      ->add_option(
+          "--page-ticks", arguments->page_ticks,
+          "Add the ticks of a page to the chart of energies: what moltact_energy_ticks printed (docs/energies.md)")
+      ->type_name(kFileType);
   command->add_option("--seed", arguments->seed, "Random seed of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file")->type_name(kFileType);
   command->add_option("--csv", arguments->csv, "Write each table to a file in this folder")->type_name(kFolderType);

@@ -10,7 +10,7 @@
 namespace moltact {
 
 struct BenchArguments {
-  std::string part = "all", json, csv, svg, docs, markdown;
+  std::string part = "all", json, csv, svg, docs, markdown, page_ticks;
   std::vector<std::string> methods;
   std::vector<std::string> recordings;
   std::string recording_molecule;

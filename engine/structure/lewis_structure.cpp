@@ -56,7 +56,7 @@ class LewisFinder {
   bool within(const Bond& b) const { return of_geometry_[b.first] && of_geometry_[b.second]; }
 
   void setDoubleBonds() {
-    using Hybrid = AtomValence::Hybrid;
+    constexpr auto kSp = AtomValence::Hybrid::Sp;
     // Rings in which an atom has no partner stay aromatic, with all rings that are joined to them.
     std::vector<char> stays(m_.atoms.size(), 0);
     std::vector<std::uint32_t> next;
@@ -76,7 +76,7 @@ class LewisFinder {
     for (Bond& b : out_.bonds) {
       if (!within(b) || !open(b) || stays[b.first]) continue;
       const AtomValence &first = valences_[b.first], &second = valences_[b.second];
-      const bool straight = first.hybrid == Hybrid::Sp && second.hybrid == Hybrid::Sp && first.multiple &&
+      const bool straight = first.hybrid == kSp && second.hybrid == kSp && first.multiple &&
                             second.multiple && first.partner == kNoResidue && second.partner == kNoResidue;
       // Between two triple bonds, as in a diyne, is a single one of 1.38 A.
       constexpr double kTriple_A = 1.29;

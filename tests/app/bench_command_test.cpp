@@ -145,7 +145,8 @@ TEST_CASE(
     "force "
     "jumps at a face while the tricubic one does not") {
   const CommandPlace place;
-  const Run run = place.run("bench energies --quick --csv out --svg out");
+  std::ofstream(place.folder / "page.csv") << "body,method,mean_us,p999_us\nligand,float 10 A,123,456\n";
+  const Run run = place.run("bench energies --quick --csv out --svg out --page-ticks page.csv");
   REQUIRE_MESSAGE(run.status == 0, run.err);
   CHECK(contents(place.folder / "out" / "energies.svg").starts_with("<svg "));
   std::istringstream rows(contents(place.folder / "out" / "energy_trade_off.csv"));
@@ -160,9 +161,14 @@ TEST_CASE(
       continue;
     }
     REQUIRE(cells.size() == names.size());
-    for (std::size_t k = 2; k < cells.size(); ++k) found[cells[0] + ' ' + cells[1]][names[k]] = std::stod(cells[k]);
+    for (std::size_t k = 2; k < cells.size(); ++k)
+      if (!cells[k].empty()) found[cells[0] + ' ' + cells[1]][names[k]] = std::stod(cells[k]);
   }
   CHECK(found.size() == 30);
+  CHECK(found["ligand float 10 A"].at("page_mean_us") == 123);
+  CHECK(found["ligand float 10 A"].at("page_p999_us") == 456);
+  CHECK(found["chain float 10 A"].count("page_mean_us") == 0);
+  CHECK(contents(place.folder / "out" / "energies.svg").find("in a page") != std::string::npos);
   for (const std::string body : {"ligand", "200", "chain"}) {
     CAPTURE(body);
     for (const char* method :

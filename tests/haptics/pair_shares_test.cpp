@@ -7,23 +7,23 @@
 #include <map>
 #include <random>
 
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_sum.h"
 
 using namespace moltact;
 
 namespace {
 
-struct Energies {
-  double van_der_waals = 0.0, electrostatic = 0.0;
-};
-
 // Lennard-Jones and Coulomb with a dielectric of 4 r, switched off between 8 and 10 A.
-Energies pairEnergy(const PairAtom& a, const PairAtom& b, double r) {
-  if (r >= 10.0) return {};
+EnergyByPart pairEnergy(const PairAtom& a, const PairAtom& b, double r) {
+  EnergyByPart out;
+  if (r >= 10.0) return out;
   const double u = std::min(1.0, (100.0 - r * r) / 36.0), s = u * u * (3.0 - 2.0 * u);
   const double depth = std::sqrt(double(a.depth_kcal_mol) * double(b.depth_kcal_mol)),
                six = std::pow((double(a.half_minimum_A) + double(b.half_minimum_A)) / r, 6.0);
-  return {s * depth * (six * six - 2.0 * six), s * 332.0637 * double(a.charge_e) * double(b.charge_e) / (4.0 * r * r)};
+  out[EnergyPart::VanDerWaals] = s * depth * (six * six - 2.0 * six);
+  out[EnergyPart::Electrostatic] = s * 332.0637 * double(a.charge_e) * double(b.charge_e) / (4.0 * r * r);
+  return out;
 }
 
 struct Crowd {
@@ -69,20 +69,22 @@ TEST_CASE(
     const PoseA pose{{Vec3(shift(random), shift(random), shift(random))},
                      glm::normalize(Quat(turn(random), turn(random), turn(random), turn(random)))};
     shares.at(pose);
-    std::map<std::uint32_t, Energies> by_group;
-    std::vector<Energies> by_held(9);
+    std::map<std::uint32_t, EnergyByPart> by_group;
+    std::vector<EnergyByPart> by_held(9);
     for (std::size_t k = 0; k < 9; ++k)
       for (std::size_t i = 0; i < c.field->atoms.size(); ++i) {
         const Vec3 at = pose.place.A + pose.orientation * c.field->held[k].centre_A;
-        const Energies e =
+        const EnergyByPart e =
             pairEnergy(c.field->held[k], c.field->atoms[i], glm::distance(at, c.field->atoms[i].centre_A));
-        Energies& group = by_group[c.group_of_carrier[i]];
-        group.van_der_waals += e.van_der_waals, group.electrostatic += e.electrostatic;
-        by_held[k].van_der_waals += e.van_der_waals, by_held[k].electrostatic += e.electrostatic;
+        by_group[c.group_of_carrier[i]] += e;
+        by_held[k] += e;
       }
-    const auto same = [](const EnergyShare& one, const Energies& e) {
-      CHECK(one.parts[EnergyPart::VanDerWaals] == doctest::Approx(e.van_der_waals).epsilon(1e-4).scale(1.0));
-      CHECK(one.parts[EnergyPart::Electrostatic] == doctest::Approx(e.electrostatic).epsilon(1e-4).scale(1.0));
+    // Every part that the program knows: one without its line in pairEnergy() fails here.
+    const auto same = [](const EnergyShare& one, const EnergyByPart& e) {
+      for (const EnergyPartInfo& part : energyParts()) {
+        CAPTURE(std::string(part.name));
+        CHECK(one.parts[part.part] == doctest::Approx(e[part.part]).epsilon(1e-4).scale(1.0));
+      }
     };
     REQUIRE(shares.held().size() == 9);
     for (std::size_t k = 0; k < 9; ++k) same(shares.held()[k], by_held[k]);
@@ -116,9 +118,9 @@ TEST_CASE("the pairs above 0.5 kcal/mol are those of the definition; a pose that
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> wanted;
   for (std::uint32_t k = 0; k < 9; ++k)
     for (std::uint32_t i = 0; i < c.field->atoms.size(); ++i) {
-      const double e = pairEnergy(c.field->held[k], c.field->atoms[i],
-                                  glm::distance(pose.place.A + c.field->held[k].centre_A, c.field->atoms[i].centre_A))
-                           .van_der_waals;
+      const double e = pairEnergy(
+          c.field->held[k], c.field->atoms[i],
+          glm::distance(pose.place.A + c.field->held[k].centre_A, c.field->atoms[i].centre_A))[EnergyPart::VanDerWaals];
       if (e >= 0.5) wanted[{k, i}] = e;
     }
   const std::vector<NearPair> found = shares.pairsAbove(0.5);

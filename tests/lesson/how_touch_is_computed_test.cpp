@@ -1,4 +1,5 @@
-// The program's lesson on methods: it is read without a problem, and the failures that it announces happen.
+// The program's lesson on methods: it is read without a problem, and the failures that it announces happen. None of this is
+// a fact of the lesson: facts are computed from a molecule, these numbers from methods and the hands that they lead.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -212,7 +212,7 @@ std::vector<EnergyMethod> energyMethods() {
 Expected<std::vector<EnergyTradeOff>> measureEnergies(const EnergyTradeOffOptions& options, const OpenMolecule& open,
                                                       const Progress& progress) {
   std::vector<EnergyTradeOff> out;
-  const std::vector<EnergyMethod> methods = energyMethods();
+  const std::vector<EnergyMethod>& methods = options.methods;
   for (std::size_t b = 0; b < options.bodies.size(); ++b) {
     const auto task = energyTask(options.bodies[b], open);
     if (!task) return task.problem();

@@ -41,10 +41,12 @@ struct EnergyTradeOff {
   double right_force = 0, right_torque = 0;  ///< rms
   std::size_t bytes = 0;
   double preparation_s = 0;
+  double page_mean_us = 0, page_p999_us = 0;  ///< in a page (page_ticks.h); 0: not measured
 };
 
 struct EnergyTradeOffOptions {
   std::vector<std::string> bodies{kEnergyTasks.begin(), kEnergyTasks.end()};
+  std::vector<EnergyMethod> methods = energyMethods();
   int ticks = 2000;
   int runs = 3;                ///< of the timing; each tick's time is the minimum
   double judged_pairs = 2e8;   ///< judges that many pairs, and from 20 to 400 ticks

@@ -26,6 +26,11 @@ ChartPanel energyPanel(const std::vector<EnergyTradeOff>& points, const std::str
         series.points.push_back({p.mean_us, error(p), constant(p.method.size_A)});
     if (!series.points.empty()) panel.series.push_back(std::move(series));
   }
+  ChartSeries page{"direct sum, float, in a page", Mark::Circle, false, false, true, {}};
+  for (const EnergyTradeOff& p : points)
+    if (p.page_mean_us > 0 && p.body == body && p.method.kind == EnergyKind::Float)
+      page.points.push_back({p.page_mean_us, error(p), constant(p.method.size_A)});
+  if (!page.points.empty()) panel.series.push_back(std::move(page));
   return panel;
 }
 
@@ -45,6 +50,8 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
                  {"method", "method"},
                  {"mean_us", "tick, mean (us)"},
                  {"p999_us", "p99.9 (us)"},
+                 {"page_mean_us", "in a page, mean (us)"},
+                 {"page_p999_us", "in a page, p99.9 (us)"},
                  {"force_rms", "force error, rms (kcal/mol/A)"},
                  {"force_p99", "p99"},
                  {"right_force", "force, rms (reference)"},
@@ -77,16 +84,21 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
       "over all pairs in double precision without a cut-off, at up to 400 ticks. The number of a direct sum is its "
       "cut-off, of a grid its spacing; grids have a cut-off of 10 A and walls folded at 4 kcal/mol; `nested` is "
       "tricubic, 0.2 A within 0.75 A. Maps of more than " +
-      readable(kMaxMeasuredMaps_bytes / 1e6) + " MB are not measured (empty cells).";
+      readable(kMaxMeasuredMaps_bytes / 1e6) +
+      " MB are not measured (empty cells). Of the methods in a page three are measured: the same code as WebAssembly "
+      "under "
+      "Node.js.";
   for (const EnergyTradeOff& p : points) {
     std::vector<Cell> row(t.columns.size());
     row[0] = p.body;
     row[1] = p.method.name();
     if (p.measured) {
-      const double values[] = {p.mean_us,       p.p999_us,    p.force.rms,  p.force.p99,           p.right_force,
-                               p.own_force.rms, p.torque.rms, p.torque.p99, p.right_torque,        p.energy.rms,
-                               p.energy.p99,    p.jump.rms,   p.jump.max,   double(p.bytes) / 1e6, p.preparation_s};
-      for (std::size_t k = 0; k < std::size(values); ++k) row[k + 2] = values[k];
+      row[2] = p.mean_us, row[3] = p.p999_us;
+      if (p.page_mean_us > 0) row[4] = p.page_mean_us, row[5] = p.page_p999_us;
+      const double values[] = {p.force.rms,  p.force.p99,           p.right_force,  p.own_force.rms, p.torque.rms,
+                               p.torque.p99, p.right_torque,        p.energy.rms,   p.energy.p99,    p.jump.rms,
+                               p.jump.max,   double(p.bytes) / 1e6, p.preparation_s};
+      for (std::size_t k = 0; k < std::size(values); ++k) row[k + 6] = values[k];
     }
     t.rows.push_back(std::move(row));
   }
@@ -106,6 +118,7 @@ std::string energyTradeOffSentences(const std::vector<EnergyTradeOff>& points) {
            ": `" + direct->method.name() + "` takes " + readable(direct->mean_us) +
            " us a tick and has an error of the force of " + share(*direct) + " (rms) from its cut-off and of " +
            readable(direct->own_force.rms) + " kcal/mol/A from rounding";
+    if (direct->page_mean_us > 0) out += " (in a page " + readable(direct->page_mean_us) + " us)";
     for (const EnergyKind kind : {EnergyKind::Trilinear, EnergyKind::Tricubic})
       if (const EnergyTradeOff* grid = energyPoint(points, body, kind, 0.375))
         out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid) +
