@@ -120,7 +120,7 @@ Problem massFault(const Molecule& molecule, std::span<const double> masses_u) {
   if (count != masses_u.size())
     return {{}, 0, 0, trf("the system has {0} atoms and the molecule {1}", masses_u.size(), count), remedy};
   constexpr double kHydrogen_u = 1.008, kHeaviest_u = 4.5, kNear_u = 0.1;
-  constexpr int kMostHydrogens = 4;
+  constexpr int kMaxHydrogens = 4;
   double hydrogen_u = 0.0;  // the mass of a hydrogen in this system
   for (std::size_t i = 0; i < count; ++i)
     if (molecule.atoms[i].atomic_number == 1 && masses_u[i] < kHeaviest_u)
@@ -134,7 +134,7 @@ Problem massFault(const Molecule& molecule, std::span<const double> masses_u) {
       fits = masses_u[i] > kHydrogen_u - kNear_u && masses_u[i] < kHeaviest_u;
     } else {
       const double own = gemmi::Element(number).weight();
-      for (int k = 0; k <= (given_u > 0.0 ? kMostHydrogens : 0) && !fits; ++k)
+      for (int k = 0; k <= (given_u > 0.0 ? kMaxHydrogens : 0) && !fits; ++k)
         fits = std::abs(masses_u[i] - (own - k * given_u)) < kNear_u;
     }
     if (!fits)

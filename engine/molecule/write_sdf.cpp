@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kSdfLine = 80, kMostItem = 200;
+constexpr std::size_t kSdfLine = 80, kMaxItem = 200;
 
 std::string sdfText(std::string_view text, std::size_t columns) {
   std::string out(text.substr(0, columns));
@@ -124,12 +124,12 @@ Expected<std::string> posedSdf(const Molecule& molecule, const SdfAtoms& what, s
   }
   // Program in columns 3-10, no date, "3D" in columns 21-22.
   std::string out = sdfText(title, kSdfLine) + "\n  Moltact           3D\n" + sdfText(comment, kSdfLine) + '\n';
-  if (what.atoms.size() > kMostV2000 || written.bonds.size() > kMostV2000 || coordinates)
+  if (what.atoms.size() > kMaxV2000 || written.bonds.size() > kMaxV2000 || coordinates)
     written.addV3000(out);
   else
     written.addV2000(out);
   out += "M  END\n";
-  for (const SdfItem& item : items) out += "> <" + item.name + ">\n" + sdfText(item.value, kMostItem) + "\n\n";
+  for (const SdfItem& item : items) out += "> <" + item.name + ">\n" + sdfText(item.value, kMaxItem) + "\n\n";
   return out + "$$$$\n";
 }
 

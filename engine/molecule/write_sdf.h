@@ -26,7 +26,7 @@ struct SdfAtoms {
 };
 
 /// The most atoms and the most bonds of a V2000 molecule.
-inline constexpr std::size_t kMostV2000 = 999;
+inline constexpr std::size_t kMaxV2000 = 999;
 
 /// `title` becomes the first line, `comment` the third, cut to 80 columns. `bonds` are of the whole molecule; those with both ends
 /// among the atoms are written, of unknown order as type 8, "any". V3000 is taken for more than 999 atoms or bonds and

@@ -196,7 +196,7 @@ std::optional<InputKind> PersonScore::input() const {
 
 std::optional<double> discrimination(const LessonSummary& lesson, const std::string& step,
                                      const std::string& question) {
-  constexpr std::size_t kFewest = 5;
+  constexpr std::size_t kMinPairs = 5;
   std::vector<std::pair<double, double>> pairs;  // per person: this answer, and the share of the others
   for (const PersonScore& p : lesson.people) {
     const auto item = p.answers.find({step, question});
@@ -206,7 +206,7 @@ std::optional<double> discrimination(const LessonSummary& lesson, const std::str
     pairs.emplace_back(item->second.first_right ? 1.0 : 0.0,
                        double(p.firstRight() - item->second.first_right) / double(others));
   }
-  if (pairs.size() < kFewest) return std::nullopt;
+  if (pairs.size() < kMinPairs) return std::nullopt;
   double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
   for (const auto& [a, b] : pairs) x += a / double(pairs.size()), y += b / double(pairs.size());
   for (const auto& [a, b] : pairs) {

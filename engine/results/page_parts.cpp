@@ -14,12 +14,12 @@ namespace {
 constexpr std::array kInputOrder{InputKind::Device, InputKind::Mouse, InputKind::Keyboard};
 
 // The range of the scales: no value of an attempt exceeds it (attempt_ranges.h), nor do sums of them.
-constexpr double kGreatest = 1e15, kMin = 1e-12;
-double onScale(double value) { return std::isfinite(value) ? std::clamp(value, -kGreatest, kGreatest) : 0.0; }
+constexpr double kMaxOnScale = 1e15, kMin = 1e-12;
+double onScale(double value) { return std::isfinite(value) ? std::clamp(value, -kMaxOnScale, kMaxOnScale) : 0.0; }
 
 // 1, 2 or 5 times a power of ten, not less than `min`.
 double roundStep(double min) {
-  min = std::clamp(onScale(min), kMin, kGreatest);
+  min = std::clamp(onScale(min), kMin, kMaxOnScale);
   const double power = std::pow(10.0, std::floor(std::log10(min)));
   for (const double m : {1.0, 2.0, 5.0})
     if (m * power >= min * (1.0 - 1e-12)) return m * power;
@@ -82,7 +82,7 @@ double roundAbove(double value) {
 }
 
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values) {
-  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || std::abs(m.value) > kGreatest; });
+  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || std::abs(m.value) > kMaxOnScale; });
   if (values.empty()) return {};
   const std::vector<double> sorted = sortedValues(values);
   // Small whole numbers have one bar each, centred over the number.
@@ -168,7 +168,7 @@ std::string strip(const std::vector<Measured>& values, double max) {
 
 std::string stripScale(double max, const std::string& unit) {
   Svg svg;
-  max = std::clamp(onScale(max), kMin, kGreatest);
+  max = std::clamp(onScale(max), kMin, kMaxOnScale);
   const double step = roundStep(max / 4.0);
   const int steps = static_cast<int>(max / step + 1e-9);  // 1 to 4
   for (int k = 0; k <= steps; ++k) {

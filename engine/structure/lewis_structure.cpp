@@ -76,8 +76,8 @@ class LewisFinder {
     for (Bond& b : out_.bonds) {
       if (!within(b) || !open(b) || stays[b.first]) continue;
       const AtomValence &first = valences_[b.first], &second = valences_[b.second];
-      const bool straight = first.hybrid == kSp && second.hybrid == kSp && first.multiple &&
-                            second.multiple && first.partner == kNoResidue && second.partner == kNoResidue;
+      const bool straight = first.hybrid == kSp && second.hybrid == kSp && first.multiple && second.multiple &&
+                            first.partner == kNoResidue && second.partner == kNoResidue;
       // Between two triple bonds, as in a diyne, is a single one of 1.38 A.
       constexpr double kTriple_A = 1.29;
       if (first.partner == b.second && second.partner == b.first)

@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kFewest = 3;
+constexpr std::size_t kMinCommonAtoms = 3;
 
 using ResidueName = std::tuple<std::string_view, int, char>;  // chain, number, insertion code
 
@@ -79,12 +79,12 @@ Expected<Superposition> fitted(const Molecule& one, PositionOf&& other_A,
     }
   };
   collect(false);
-  if (here.size() < kFewest) {
+  if (here.size() < kMinCommonAtoms) {
     here.clear();
     there.clear();
     collect(true);
   }
-  if (here.size() < kFewest)
+  if (here.size() < kMinCommonAtoms)
     return Problem{
         {},
         0,
@@ -140,7 +140,7 @@ std::vector<std::uint32_t> leadingAtoms(const Molecule& molecule) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
     if (leads(molecule, i)) out.push_back(i);
-  if (out.size() >= kFewest) return out;
+  if (out.size() >= kMinCommonAtoms) return out;
   out.resize(molecule.atoms.size());
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = i;
   return out;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/bench/bodies/body_trade_off.h"
+#include "engine/bench/bodies/path_watch.h"
 #include "engine/bench/scenes.h"
 
 using namespace moltact;
@@ -68,6 +69,58 @@ TEST_CASE("points tunnel through a wall at 12 A a tick, and overlap a corner; a 
   CHECK(fails(runBodyScene(wall, *findBodyMethod("point-penalty")), 'T'));
   CHECK_FALSE(fails(runBodyScene(wall, *findBodyMethod("springs")), 'T'));
   CHECK(fails(runBodyScene(sceneNamed(all, "dumbbell"), *findBodyMethod("point-penalty")), 'O'));
+}
+
+TEST_CASE(
+    "a step through a wall, a pose without a step and a step from elsewhere are ways through; one beside it is none") {
+  const auto all = bodyScenes(1);
+  const BodyScene& wall = sceneNamed(all, "passes");
+  PathWatch way(wall.spheres, wall.body, 0.05);
+  const auto at = [](double z) { return PoseA{{{0, 0, z}}, kNoRotation}; };
+  way.placed(at(18));
+  way.moved(at(18), at(4), 0.0);
+  CHECK_FALSE(way.tunnelled(at(4), nullptr));
+  way.moved(at(4), at(-4), 0.0);
+  CHECK(way.tunnelled(at(-4), nullptr));
+  CHECK_FALSE(way.tunnelled(at(-4), nullptr));
+  CHECK(way.tunnelled(at(-5), nullptr));
+  way.moved(at(-5), at(-6), 0.0);
+  CHECK(way.tunnelled(at(-6), nullptr));
+  way.moved(at(-6), at(-7), 0.0);
+  way.returned(at(-6));
+  CHECK_FALSE(way.tunnelled(at(-6), nullptr));
+}
+
+TEST_CASE(
+    "a body between two walls in ten draws: every tick at rest has the force of the oracle's rest to 1e-8 N, at most "
+    "one "
+    "of 1126 is not at rest, after 599 or 600 programmes and changes, and the next one is") {
+  int unrested = 0;
+  for (std::size_t draw = 0; draw < 10; ++draw) {
+    CAPTURE(draw);
+    const auto all = drawnBodyScenes(1, draw);
+    const BodyScene& scene = sceneNamed(all, "squeezed");
+    const auto grid = std::make_shared<const SphereGrid>(scene.spheres);
+    ExactBody felt(grid, scene.body);
+    RightBody right(grid, scene.body, scene.spheres);
+    int here = 0;
+    bool before = true;
+    double off_N = 0;
+    for (const PoseA& hand : scene.path) {
+      const Response r = felt.respond(hand);
+      const RightBody::Answer is = right.tick(hand, true);
+      if (r.at_rest && is.known) off_N = std::max(off_N, glm::distance(r.contact.displacement_A, is.force_N));
+      if (!r.at_rest) CHECK(felt.changes() >= ExactBody::kMaxChanges - 1);
+      CHECK((r.at_rest || before));
+      before = r.at_rest;
+      here += !r.at_rest;
+    }
+    CHECK(scene.path.size() == 1126);
+    CHECK(off_N < 1e-8);
+    CHECK(here <= 1);
+    unrested += here;
+  }
+  MESSAGE(unrested << " of 11 260 ticks not at rest");
 }
 
 TEST_CASE("a method that makes 1 N A in a tick, jitters, or gives no number is reported so") {

@@ -1,6 +1,6 @@
 // The readers of external data, each as a function that must accept any bytes without a crash, an exception, a hang or
-// an impossible value; likewise the exact body, with bytes as the path of the hand. libFuzzer (fuzz_one.cpp) and our own driver, which needs only a compiler (fuzz_all.cpp), run the
-// same functions.
+// an impossible value; likewise the exact body, with bytes as the path of the hand. libFuzzer (fuzz_one.cpp) and our own
+// driver, which needs only a compiler (fuzz_all.cpp), run the same functions.
 #pragma once
 
 #include <cstddef>
@@ -69,5 +69,6 @@ void recording(std::string_view), recordingState(std::string_view), handPath(std
 void hipPath(std::string_view), gltf(std::string_view), catalogue(std::string_view), settings(std::string_view);
 void translations(std::string_view), reportStream(std::string_view);
 void pack(std::string_view), bodyPath(std::string_view), imd(std::string_view);
+void simulationMessage(std::string_view);
 
 }  // namespace moltact::fuzz

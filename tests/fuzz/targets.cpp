@@ -41,6 +41,7 @@ constexpr Target kTargets[] = {
     {"report-stream", reportStream},
     {"body-path", bodyPath},
     {"imd", imd},
+    {"simulation-message", simulationMessage},
 };
 
 }  // namespace

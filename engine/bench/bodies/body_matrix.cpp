@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/bench/bodies/body_trade_off.h"
+#include "engine/bench/bodies/path_watch.h"
 #include "engine/bench/many_threads.h"
 #include "engine/haptics/sphere_motion.h"
 
@@ -58,6 +59,8 @@ BodyResult runBodyScene(const BodyScene& scene, const BodyMethod& method) {
   const auto grid = std::make_shared<const SphereGrid>(scene.spheres);
   const auto felt = method.test(grid, scene.body);
   RightBody right(grid, scene.body, scene.spheres);
+  PathWatch way(scene.spheres, scene.body, BodyLimits().overlap_A);
+  const bool watched = felt->observe(&way);
   Swelling swelling(scene);
   std::vector<Sphere> spheres = scene.spheres;
   Rms force, torque, position;
@@ -85,7 +88,9 @@ BodyResult runBodyScene(const BodyScene& scene, const BodyMethod& method) {
     const bool held = r.contact.fault == Fault::None;
     if (held) out.overlap_A = std::max(out.overlap_A, overlap_A(spheres, *scene.body, shown));
     if (!motion) out.energy_NA = std::max(out.energy_NA, made);
-    const bool free_behind = held && !r.contact.touching() && is.touching &&
+    // The right answer is an exact body's own, so that one is judged by the places along its steps.
+    if (watched) out.tunnelled += held && way.tunnelled(shown, motion);
+    const bool free_behind = !watched && held && !r.contact.touching() && is.touching &&
                              glm::distance(is.pose.place.A, hand.place.A) > kHeldBack_A &&
                              overlap_A(spheres, *scene.body, hand) == 0;
     out.tunnelled += free_behind && !behind;

@@ -30,9 +30,10 @@ struct BodyResult {
   std::size_t ticks = 0;
   std::size_t contact_ticks = 0;  ///< in which the right answer or the method touches
   double overlap_A = 0;           ///< largest of any tick
-  std::size_t tunnelled =
-      0;                 ///< events: the body follows the hand freely, over 0.5 A from where the wall still holds it
-  double energy_NA = 0;  ///< most made in one tick; 0 where the spheres move
+  /// Events: the body follows the hand freely, over 0.5 A from where the wall still holds it; of a method whose steps
+  /// between ticks are known, ticks in which its path leads through a sphere (PathWatch).
+  std::size_t tunnelled = 0;
+  double energy_NA = 0;      ///< most made in one tick; 0 where the spheres move
   std::size_t unrested = 0;  ///< of the last 100 ticks with a standing hand: body in motion or not at rest
   /// Errors against RightBody (rms), where the oracle confirms the right answer and the hand has moved by less than 1 A in
   /// each of the last five ticks.

@@ -27,6 +27,10 @@ class Exact final : public BodyUnderTest {
     before_ = out.body_pose;
     return out;
   }
+  bool observe(BodyPathObserver* observer) override {
+    felt_.observe(observer);
+    return true;
+  }
 
  private:
   double energy(const PoseA& body, const PoseA& hand) const {

@@ -10,6 +10,10 @@
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/sphere_grid.h"
 
+namespace moltact {
+class BodyPathObserver;
+}
+
 namespace moltact::bench {
 
 /// A body's interaction, of which the energy of the springs is watched too. Slower than the interaction alone.
@@ -21,6 +25,8 @@ class BodyUnderTest {
   /// the springs store for this hand after the tick, less that for the same hand with the state before the tick. A
   /// passive method makes none: at most 0.
   virtual Response tick(const PoseA& hand, double& made_A2) = 0;
+  /// Reports the body's steps between ticks from now on. False if the method takes none: its poses alone are known.
+  virtual bool observe(BodyPathObserver*) { return false; }
 };
 
 struct BodyMethod {

@@ -20,6 +20,7 @@ BodyPairs::BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& bo
     : scene_(std::move(scene)),
       origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
       spheres_(body.spheres),
+      max_work_(std::max(kMaxWork, kWorkPerSphere * std::uint64_t(body.spheres.size()))),
       bound_(body.reach_A),
       near_(kMaxNear),
       near_from_(kMaxNear) {

@@ -50,9 +50,10 @@ class BodyPairs {
  public:
   static constexpr std::size_t kMaxFar = 16384, kMaxNear = 512;
   static constexpr double kFar_A = 1.6, kNear_A = 0.4;
-  /// Spheres, pairs and nodes that a tick examines at most for its lists, but for those of the last item that it begins.
-  /// While the next far list is not needed yet, a tick spends at most kSlice on it.
-  static constexpr std::uint64_t kMaxWork = 9'000, kSlice = 3'000;
+  /// Spheres, pairs and nodes that a tick examines at most for its lists, but for those of the last item that it begins:
+  /// kMaxWork, or kWorkPerSphere for each sphere of a larger body. While the next far list is not needed yet, a tick spends
+  /// at most kSlice on it.
+  static constexpr std::uint64_t kMaxWork = 9'000, kWorkPerSphere = 12, kSlice = 3'000;
 
   BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& body);
 
@@ -64,8 +65,10 @@ class BodyPairs {
   double reach_A() const noexcept { return reach_; }  ///< largest distance of a sphere's centre from the middle
 
   static constexpr std::uint64_t kUnlimited = ~std::uint64_t{0};
+  std::uint64_t maxWork() const noexcept { return max_work_; }
   /// Begins a tick: look() may do so much work from now on.
-  void beginTick(std::uint64_t work = kMaxWork) noexcept {
+  void beginTick() noexcept { beginTick(max_work_); }
+  void beginTick(std::uint64_t work) noexcept {
     tick_end_ = work == kUnlimited ? kUnlimited : work_count_ + work;
     ahead_left_ = kSlice;
   }
@@ -140,6 +143,7 @@ class BodyPairs {
   std::shared_ptr<const SphereGrid> scene_;
   Vec3 origin_;
   std::vector<Sphere> spheres_;
+  std::uint64_t max_work_ = kMaxWork;
   std::vector<std::int32_t> order_;   // of spheres_: their indices in the body
   double reach_ = 0.0, bound_ = 0.0;  // of the centres; of the whole body
   std::vector<Node> nodes_;           // in preorder

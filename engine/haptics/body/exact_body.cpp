@@ -55,7 +55,7 @@ void ExactBody::followScene() noexcept {
     pairs_.look(pose_);
     const double motion = std::abs(goal_fraction_ - from) * pairs_.maxMotion_A();
     // Each piece computes the listed spheres anew.
-    const double most = std::clamp(double(BodyPairs::kMaxWork) / double(1 + pairs_.farCount()), 1.0, kMaxScenePieces);
+    const double most = std::clamp(double(pairs_.maxWork()) / double(1 + pairs_.farCount()), 1.0, kMaxScenePieces);
     const int pieces = int(std::clamp(std::ceil(motion / kScenePiece_A), 1.0, std::floor(most)));
     for (int k = 1; k <= pieces; ++k) {
       pairs_.advanceTo(k == pieces ? goal_fraction_ : from + (goal_fraction_ - from) * k / pieces);

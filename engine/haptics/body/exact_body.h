@@ -74,7 +74,7 @@ class ExactBody final : public Interaction {
   int steps() const noexcept { return steps_; }  ///< of the last tick
   /// Programs and changes of active constraints in the last tick, at most kMaxSceneChanges + kMaxChanges.
   int changes() const noexcept { return changes_; }
-  /// Spheres, pairs and nodes examined for the lists of pairs in the last tick (BodyPairs::kMaxWork).
+  /// Spheres, pairs and nodes examined for the lists of pairs in the last tick (BodyPairs::maxWork).
   std::uint64_t listWork() const noexcept { return pairs_.workCount() - work_from_; }
   int contactCount() const noexcept { return held_count_; }  ///< contacts with a multiplier, at most six
   /// Reports each step from now on; null: none. The observer must outlive its use.

@@ -21,7 +21,7 @@ constexpr double kNextRotation = 0.2;  // bound of the next rotation relative to
 constexpr double kMargin = 1.4,
                  kMaxGrowth = 2.5;  // of the bound of the next rotation while the rotations do not shrink
 constexpr double kMinRotation = 1e-13;
-constexpr double kLeastRoom_A = 1e-3;  // with less, a body whose next list is not complete waits for the next tick
+constexpr double kMinRoom_A = 1e-3;  // with less, a body whose next list is not complete waits for the next tick
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void ExactBody::seekRest() noexcept {
   part_ = 1.0;
   while (steps_ < kMaxSteps && changes_ < max_changes_) {
     lookAround();
-    if (pairs_.exhausted() && room_ < kLeastRoom_A) break;
+    if (pairs_.exhausted() && room_ < kMinRoom_A) break;
     const Six d = pull();
     if (converged(d)) {
       const double energy = energyAt(pose_);
