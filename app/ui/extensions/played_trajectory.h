@@ -78,6 +78,7 @@ class PlayedTrajectory : public AtomMover {
   /// Ends the trajectory: the atoms return to their places.
   void close();
   void end() override { close(); }
+  std::string unavailable() const override;
 
  private:
   struct Placed {
