@@ -98,7 +98,7 @@ void PlayedTrajectory::sceneChanged() {
     // What a lesson began ends with it, and a file's frames with its molecule.
     if (by_lesson_ || (molecule_ && scene_.stage().molecule != molecule_)) forget();
     by_lesson_ = false;
-    if (store_) start();
+    if (store_) started_ = false;
     return;
   }
   const TrajectorySpec& spec = session->scene().trajectory;
@@ -119,7 +119,7 @@ void PlayedTrajectory::sceneChanged() {
   at_ = double(first_);
   direction_ = 1;
   seek_.reset();
-  start();
+  started_ = false;
 }
 
 bool PlayedTrajectory::open(FileKind kind, const fs::path& file) {
@@ -177,7 +177,7 @@ void PlayedTrajectory::takeOpened(Expected<Reading> opened) {
   store_ = opened->store;
   format_ = store_->file().format();
   take(*std::move(opened));
-  start();
+  started_ = false;
 }
 
 void PlayedTrajectory::take(Reading reading) {
@@ -195,12 +195,6 @@ void PlayedTrajectory::take(Reading reading) {
     warned_ = true;
     messages_.warning(reading.warnings.front());
   }
-}
-
-// The scene begins at its first frame.
-void PlayedTrajectory::start() {
-  started_ = false;
-  if (!store_) return;
 }
 
 std::vector<std::size_t> PlayedTrajectory::needed() const {

@@ -103,7 +103,6 @@ class PlayedTrajectory : public AtomMover {
   void takeOpened(Expected<Reading> opened);
   void take(Reading reading);
   void request();
-  void start();
   std::vector<std::size_t> needed() const;
   // The positions at a place between frames; empty until both frames have been read.
   std::optional<std::vector<Sphere>> spheresAt(double at) const;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/lesson/second_state.h"
-#include "engine/render/molecule_model.h"
-
 namespace moltact {
 namespace {
 

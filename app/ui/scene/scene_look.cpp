@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/render/molecule_model.h"
+
 namespace moltact {
 
 std::shared_ptr<const Colouring> SceneLook::colouring(std::string_view scheme) const {
