@@ -11,10 +11,10 @@ int main(int argc, char** argv) {
     WindowArguments window;
     addWindowArguments(app, window);
     addAllCommands(app);
-    addImd(app, window);
+    addSimulations(app, window);
     setBench(nullptr, {argv, argv + argc});
     if (const std::optional<int> status = parsed(app, argc, argv)) return *status;
-    if (app.get_subcommands().empty() || app.got_subcommand("imd")) return runWindowArguments(window);
+    if (opensWindow(app)) return runWindowArguments(window);
     return 0;
   });
 }

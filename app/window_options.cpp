@@ -1,11 +1,13 @@
 #include "app/window_options.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/commands/language_option.h"
 #include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/device/driver.h"
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/platform/tcp.h"
 #include "engine/platform/terminal.h"
 
@@ -35,24 +37,39 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_flag("--frame-stats", into.frame_stats)->group("");
 }
 
-void addImd(CLI::App& app, WindowArguments& into) {
-  CLI::App* command = app.add_subcommand(
-      "imd", "Touch a molecule that another program simulates: GROMACS, LAMMPS, NAMD, by the protocol IMD");
-  command->add_option("address", into.imd, "Where it listens: PORT on this computer, or HOST:PORT with a numeric host")
-      ->type_name("HOST:PORT")
-      ->required()
-      ->check([](const std::string& text) {
-        const auto address = parseTcpAddress(text);
-        return address ? std::string() : address.problem().text();
-      });
-  command
-      ->add_option("molecule", into.file,
-                   "The structure of the atoms that it sends, in the same order (GROMACS: of the IMD-group)")
-      ->type_name(kMoleculeType)
-      ->required();
-  addLanguageOption(*command, into.language);
-  // The window's own options may follow.
-  command->fallthrough();
+void addSimulations(CLI::App& app, WindowArguments& into) {
+  for (const SimulationEngine& engine : simulationEngines()) {
+    if (engine.scheme.empty()) continue;
+    CLI::App* command = app.add_subcommand(
+        std::string(engine.scheme), "Touch a molecule that another program simulates: " + std::string(engine.programs));
+    command
+        ->add_option_function<std::string>(
+            "address",
+            [&into, &engine](const std::string& text) {
+              into.simulation = SimulationAddress{&engine, *parseTcpAddress(text)}.text();
+            },
+            "Where it listens: PORT on this computer, or HOST:PORT with a numeric host")
+        ->type_name("HOST:PORT")
+        ->required()
+        ->check([](const std::string& text) {
+          const auto address = parseTcpAddress(text);
+          return address ? std::string() : address.problem().text();
+        });
+    const std::string order = engine.atom_order.empty() ? "" : " (" + std::string(engine.atom_order) + ")";
+    command->add_option("molecule", into.file, "The structure of the atoms that it sends, in the same order" + order)
+        ->type_name(kMoleculeType)
+        ->required();
+    addLanguageOption(*command, into.language);
+    // The window's own options may follow.
+    command->fallthrough();
+  }
+}
+
+bool opensWindow(const CLI::App& app) {
+  const auto engines = simulationEngines();
+  return app.get_subcommands().empty() || std::any_of(engines.begin(), engines.end(), [&](const SimulationEngine& e) {
+           return !e.scheme.empty() && app.got_subcommand(std::string(e.scheme));
+         });
 }
 
 int runWindowArguments(const WindowArguments& a) {
@@ -68,14 +85,13 @@ int runWindowArguments(const WindowArguments& a) {
     err() << "moltact: --device " << oneLine(a.device) << ": no driver has this name; these exist: " << names << '\n';
     return 2;
   }
-  const std::string imd = a.imd.empty() ? "" : "imd://" + parseTcpAddress(a.imd)->text();
   if (a.screenshot.empty() && a.script.empty()) {
     hideOwnTerminal();
     return runWindow({.file = a.file,
                       .frame_stats = a.frame_stats,
                       .language = a.language,
                       .device = a.device,
-                      .imd = imd,
+                      .simulation = a.simulation,
                       .state_text = a.state_text});
   }
   OffscreenOptions options{.file = a.file,
@@ -85,7 +101,7 @@ int runWindowArguments(const WindowArguments& a) {
                            .frame_stats = a.frame_stats,
                            .language = a.language,
                            .device = a.device,
-                           .imd = imd,
+                           .simulation = a.simulation,
                            .state_text = a.state_text,
                            .attempts = a.attempts};
   if (!(a.scale >= kMinScale && a.scale <= kMaxScale)) {  // false for what is not a number, too

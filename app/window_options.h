@@ -9,13 +9,17 @@
 namespace moltact {
 
 struct WindowArguments {
-  std::string file, language, device, imd, state_text, screenshot, script, size, attempts;
+  std::string file, language, device, simulation, state_text, screenshot, script, size, attempts;
   double scale = 1.0;
   bool frame_stats = false;
 };
 
-/// Adds `moltact imd HOST:PORT MOLECULE`, which opens the window too. `into` must outlive the parsing.
-void addImd(CLI::App& app, WindowArguments& into);
+/// Adds a command for each engine in another program, such as `moltact imd HOST:PORT MOLECULE`, which opens the window too.
+/// `into` must outlive the parsing.
+void addSimulations(CLI::App& app, WindowArguments& into);
+
+/// Whether the parsed command line opens the window: without a command, or with one of addSimulations().
+bool opensWindow(const CLI::App& app);
 
 /// Adds the arguments; `into` must outlive the parsing.
 void addWindowArguments(CLI::App& app, WindowArguments& into);

@@ -19,7 +19,11 @@ namespace {
 
 constexpr std::array kEngines{
     SimulationEngine{.name = "OpenMM", .ending = ".xml", .make = &openMMEngine},
-    SimulationEngine{.name = "IMD", .scheme = "imd", .connect = &ImdSimulation::connect},
+    SimulationEngine{.name = "IMD",
+                     .scheme = "imd",
+                     .programs = "GROMACS, LAMMPS, NAMD, by the protocol IMD",
+                     .atom_order = "GROMACS: of the IMD-group",
+                     .connect = &ImdSimulation::connect},
 };
 
 const SimulationEngine* readerOf(const std::filesystem::path& system) {

@@ -25,8 +25,12 @@ struct SimulationEngine {
   std::string_view ending{};
   /// An engine for `start`, whose `system` is the content of the file named `file`. A Problem names that file.
   Expected<std::unique_ptr<MdEngine>> (*make)(const MdStart& start, const std::string& file) = nullptr;
-  /// Of its addresses: "imd" in imd://127.0.0.1:8888.
+  /// Of its addresses: "imd" in imd://127.0.0.1:8888; also the command that opens the window with one (`moltact imd`).
   std::string_view scheme{};
+  /// Which programs it reaches, and how, for the command's help: "GROMACS, LAMMPS, NAMD, by the protocol IMD".
+  std::string_view programs{};
+  /// What to know of the order of their atoms, for the same: "GROMACS: of the IMD-group"; may be empty.
+  std::string_view atom_order{};
   /// Connects and waits for the first positions, at most some seconds or until `cancelled` is true. `start_A`: the places
   /// of the molecule's atoms. A Problem names the address.
   Expected<std::unique_ptr<LiveSimulation>> (*connect)(const TcpAddress& address, std::vector<Vec3> start_A,

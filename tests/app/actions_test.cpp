@@ -119,20 +119,20 @@ TEST_CASE("method, parts shown and a view that was reset are undone in the order
   auto d = startWith("argon-pair");
   d->drag("view", 80, 0, 1);
   const Camera turned = d->app().scene.camera;
-  const ViewPartSet shown = d->app().scene.shown;
+  const ViewPartSet shown = d->app().scene.look.shown;
   CHECK(d->click("show/spheres"));
-  d->app().scene.useMethod("mesh80");
+  useMethod(d->app().scene, "mesh80");
   d->frames(2);
   d->tap("Home");
   CHECK_FALSE(d->app().scene.camera == turned);
   CHECK(d->click("tool/undo"));
   CHECK(d->app().scene.camera == turned);
   CHECK(d->click("tool/undo"));
-  CHECK(d->app().scene.method() == "exact");
+  CHECK(d->app().scene.touch().method == "exact");
   CHECK(d->click("tool/undo"));
-  CHECK(d->app().scene.shown == shown);
+  CHECK(d->app().scene.look.shown == shown);
   CHECK(d->click("tool/redo"));
-  CHECK_FALSE(d->app().scene.shown == shown);
+  CHECK_FALSE(d->app().scene.look.shown == shown);
 }
 
 TEST_CASE("what a lesson's step sets cannot be undone") {
@@ -243,25 +243,25 @@ TEST_CASE(
   // Calm as those of a large molecule: what the legend shows is what the picture shows.
   const Molecule& m = *d->app().scene.stage().molecule;
   const std::vector<LegendEntry> entries =
-      legendOf(m, ColourBy::Element, ElementColours::Customary, d->app().scene.look);
+      legendOf(m, ColourBy::Element, ElementColours::Customary, d->app().scene.look.atoms);
   CHECK(entries.at(1).colour == elementColour(8, ElementColours::Calm));
   std::vector<std::uint32_t> sulfurs;
   for (std::uint32_t a = 0; a < m.atoms.size(); ++a)
     if (m.atoms[a].atomic_number == 16) sulfurs.push_back(a);
-  d->app().scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(sulfurs);
+  d->app().scene.look.atoms.hidden = std::make_shared<const std::vector<std::uint32_t>>(sulfurs);
   d->frames(2);
   CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen");
-  d->app().scene.look.hidden = nullptr;
+  d->app().scene.look.atoms.hidden = nullptr;
   // A cartoon has one colour per residue, which does not identify elements.
-  d->app().scene.look.styles = {{.style = DrawStyle::Cartoon}};
-  d->app().scene.look.spheres_near_A = 0.0;
+  d->app().scene.look.atoms.styles = {{.style = DrawStyle::Cartoon}};
+  d->app().scene.look.atoms.spheres_near_A = 0.0;
   d->frames(2);
   CHECK_FALSE(d->shows("view/legend"));
   // Where atoms come out of it near the probe, these have their elements' colours.
-  d->app().scene.look.spheres_near_A = 4.0;
+  d->app().scene.look.atoms.spheres_near_A = 4.0;
   d->frames(2);
   CHECK(contains(d->text("view/legend"), "oxygen"));
-  d->app().scene.look.styles.clear();
+  d->app().scene.look.atoms.styles.clear();
   d->app().settings.colour_blind_safe = true;
   d->frames(2);
   CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen, sulfur");
@@ -313,7 +313,7 @@ TEST_CASE(
   auto d = startWith("2hhb");
   d->app().messages = {};
   d->frames(10);
-  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  CHECK(d->app().scene.look.colour_by == ColourBy::Chain);
   CHECK(d->text("view/legend").starts_with("chain A, chain B, chain C, chain D, carbon"));
   CHECK(contains(d->text("view/legend"), "iron"));
   const Picture chains = d->picture();
@@ -328,7 +328,7 @@ TEST_CASE(
   CHECK(d->click("tool/undo"));
   d->frames(10);
   CHECK(contains(d->text("view/legend"), "chain A"));
-  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  CHECK(d->app().scene.look.colour_by == ColourBy::Chain);
 }
 
 TEST_CASE(
@@ -337,16 +337,16 @@ TEST_CASE(
   auto d = startWith("1ubq");
   d->frames(10);
   const Picture spheres = d->picture();
-  d->app().scene.look.styles = {{.style = DrawStyle::Surface}};
+  d->app().scene.look.atoms.styles = {{.style = DrawStyle::Surface}};
   d->frames(10);
   const Picture surface = d->picture();
   CHECK(difference(spheres, surface) > 0.02);
   findAction("cut")->run(d->app());
-  REQUIRE(d->app().scene.look.cut);
+  REQUIRE(d->app().scene.look.atoms.cut);
   d->frames(10);
   CHECK(difference(surface, d->picture()) > 0.02);
   findAction("cut")->run(d->app());
-  CHECK_FALSE(d->app().scene.look.cut);
+  CHECK_FALSE(d->app().scene.look.atoms.cut);
   Scratch scratch;
   const auto file =
       scratch.file("mine.md",
@@ -355,16 +355,16 @@ TEST_CASE(
                    "hide: residue 5\nlocked: show\n```\nText.\n");
   d.reset();  // one window at a time
   auto lesson = startWith(file.string());
-  const AtomsLook& look = lesson->app().scene.look;
+  const AtomsLook& look = lesson->app().scene.look.atoms;
   REQUIRE(look.styles.size() == 2);
   CHECK(look.styles[0].style == DrawStyle::Surface);
   CHECK(look.styles[0].opacity == 0.5f);
   CHECK(look.styles[0].atoms->size() + look.styles[1].atoms->size() ==
         lesson->app().scene.stage().molecule->atoms.size());
   CHECK(look.hidden->size() == 7);  // the heavy atoms of valine
-  lesson->app().scene.look.styles.clear();
+  lesson->app().scene.look.atoms.styles.clear();
   lesson->frames(2);
-  CHECK(lesson->app().scene.look.styles.size() == 2);
+  CHECK(lesson->app().scene.look.atoms.styles.size() == 2);
 }
 
 TEST_CASE("a lesson's scene colours by chain until another scene says otherwise, and locks it with what is shown") {
@@ -376,15 +376,15 @@ TEST_CASE("a lesson's scene colours by chain until another scene says otherwise,
                    "Three\n```scene\nmolecule: argon\n```\nText.\n");
   auto d = startWith(file.string());
   CHECK(d->text("view/legend") == "chain A");
-  d->app().scene.colour_by = ColourBy::Element;
+  d->app().scene.look.colour_by = ColourBy::Element;
   d->frames(2);
-  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  CHECK(d->app().scene.look.colour_by == ColourBy::Chain);
   d->app().lesson.next();
   d->frames(3);
-  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  CHECK(d->app().scene.look.colour_by == ColourBy::Chain);
   d->app().lesson.next();
   d->frames(3);
-  CHECK(d->app().scene.colour_by == ColourBy::Element);
+  CHECK(d->app().scene.look.colour_by == ColourBy::Element);
 }
 
 TEST_CASE("text has a contrast to its background of 4.5 to 1 in the light and dark theme, 7 to 1 in high contrast") {

@@ -95,6 +95,24 @@ class Listener final : public AtomMover {
   bool hidesLesson() const override { return answers; }
 };
 
+// Counts how often it began and ended.
+class Counter final : public AtomMover {
+ public:
+  using AtomMover::AtomMover;
+  std::string why;
+  int begun = 0, ended = 0;
+
+  std::string_view kind() const override { return "test-counter"; }
+  std::optional<AtomsMoved> position() const override { return std::nullopt; }
+  bool moving() const override { return false; }
+  void show(const MotionSource&, const AtomsMoved&, const MoleculeKey&) override {}
+  std::string unavailable() const override { return why; }
+  void end() override { ++ended; }
+
+ private:
+  void onStart() override { ++begun; }
+};
+
 ScriptedUser::Options small(const fs::path& folder) {
   ScriptedUser::Options options;
   options.width = 1000;
@@ -148,6 +166,23 @@ TEST_CASE("a mover receives each of the 13 events of an extension once, and its 
   }
 }
 
+TEST_CASE("a mover that starts ends each other mover once before it begins; while it is unavailable it does neither") {
+  const auto user = startWith("1ubq", small({}));
+  AtomMovers movers({user->app().scene, user->app().lesson, user->app().messages, user->app().options()});
+  Counter &first = movers.add<Counter>(), &second = movers.add<Counter>();
+  CHECK(first.start());
+  CHECK(first.begun == 1);
+  CHECK(first.ended == 0);
+  CHECK(second.ended == 1);
+  second.why = "Not here.";
+  CHECK_FALSE(second.start());
+  CHECK(second.begun == 0);
+  CHECK(first.ended == 0);
+  second.why.clear();
+  CHECK(second.start());
+  CHECK(first.ended == 1);
+}
+
 TEST_CASE(
     "a mover of four frames that is added by one line: its way is recorded in frames, the task of touching an atom is "
     "judged where frame 3 has lifted it by 9 A, and a playback puts the atoms to any recorded frame; a program without "
@@ -176,7 +211,7 @@ TEST_CASE(
     for (std::size_t i = 0; i < 6; ++i) CHECK(z(*user, i) == doctest::Approx(first[i] + (i % 2 ? 9.0 : 4.5)));
     // The hand meets the atoms where they are now.
     const PointA lifted{app.scene.atoms().seen()->spheres[3].centre_A};
-    app.scene.beginAgainAt(lifted);
+    app.scene.view().beginAgainAt(lifted);
     user->frames(30);
     user->point("view", 0.5, 0.5);
     user->press();

@@ -38,10 +38,10 @@ TEST_CASE(
   driver->frames(5);
   CHECK(driver->text("turn/name") == "K1");
   // While the device changes hands nothing is felt.
-  CHECK(app.scene.playing());
+  CHECK(app.scene.playedHand().on());
   CHECK(driver->click("turn/begin"));
   driver->frames(10);
-  CHECK_FALSE(app.scene.playing());
+  CHECK_FALSE(app.scene.playedHand().on());
   CHECK(driver->text("turns/current") == "K1");
   CHECK(contains(driver->text("turns/next"), "K2"));
   touch(*driver);
@@ -69,7 +69,7 @@ TEST_CASE(
   CHECK(driver->click("turn/end"));
   driver->frames(5);
   CHECK_FALSE(turns.on());
-  CHECK_FALSE(app.scene.playing());
+  CHECK_FALSE(app.scene.playedHand().on());
   CHECK_FALSE(driver->shows("turns/current"));
   REQUIRE(app.extensions().recorder.flush());
 

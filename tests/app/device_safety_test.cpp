@@ -93,7 +93,7 @@ TEST_CASE(
   d->tap("Ctrl+D");
   d->frames(3);
   DeviceLink& link = d->app().extensions().device;
-  d->app().scene.showSample(ServoSample());
+  d->app().scene.playedHand().show(ServoSample());
   d->frames(3);
   d->click("device/try");
   link.tryForce();
@@ -101,12 +101,12 @@ TEST_CASE(
   d->frames(120);
   CHECK(stylus.given_N == Vec3(0));
   // The other order.
-  d->app().scene.showSample(std::nullopt);
+  d->app().scene.playedHand().show(std::nullopt);
   d->frames(3);
   REQUIRE(d->click("device/try"));
   d->frames(60);
   CHECK(stylus.given_N.x == doctest::Approx(0.4));
-  d->app().scene.showSample(ServoSample());
+  d->app().scene.playedHand().show(ServoSample());
   d->frames(3);
   CHECK(stylus.given_N == Vec3(0));
   d->frames(60 * 5);
@@ -140,7 +140,7 @@ TEST_CASE(
   const std::vector<Case> cases{
       {"the scene", [](ScriptedUser&) {}},
       {"a try", [](ScriptedUser& d) { d.app().extensions().device.tryForce(); }},
-      {"a recorded hand", [](ScriptedUser& d) { d.app().scene.showSample(ServoSample()); }},
+      {"a recorded hand", [](ScriptedUser& d) { d.app().scene.playedHand().show(ServoSample()); }},
       {"turns",
        [](ScriptedUser& d) {
          d.app().extensions().turns.begin({"K1", "K2"}, 30.0);
@@ -168,7 +168,7 @@ TEST_CASE(
     c.begin(*d);
     d->frames(3);
     // A method that pulls hard, so that nothing but the key holds it back.
-    if (!d->app().scene.trying()) d->app().scene.servo().setInteraction(pull(*d, 1.0));
+    if (!d->app().scene.force().trying()) d->app().scene.servo().setInteraction(pull(*d, 1.0));
     d->frames(20);
     d->tap("F9");
     d->frames(2);

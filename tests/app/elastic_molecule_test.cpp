@@ -120,19 +120,19 @@ TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the 
   Application& app = user->app();
   ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
   const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
-  elastic.turn(true);
+  elastic.start();
   user->frames(5);
   CHECK(farthest_A(*user, rest) == 0.0);
   elastic.showMode(true);
   user->frames(65);  // a quarter of its period
   CHECK(farthest_A(*user, rest) == doctest::Approx(ElasticMolecule::kShown_A).epsilon(0.05));
   CHECK(elastic.energy_kcal_mol() < 0.1);  // it is shown without stretching a spring
-  elastic.turn(false);
+  elastic.end();
   user->frames(5);
   CHECK(farthest_A(*user, rest) == 0.0);
   CHECK_FALSE(elastic.live());
   // Forces between atoms need a molecule at rest: they switch it off, with a message, and it stays off.
-  elastic.turn(true);
+  elastic.start();
   elastic.showMode(true);
   user->frames(30);
   TouchSetup touch = app.scene.touch();
@@ -142,14 +142,14 @@ TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the 
   CHECK_FALSE(elastic.on());
   CHECK(farthest_A(*user, rest) == 0.0);
   CHECK(contains(app.messages.all().back().text, "Forces between atoms act in a molecule at rest."));
-  elastic.turn(true);
+  elastic.start();
   CHECK_FALSE(elastic.on());
 }
 
 TEST_CASE("a molecule too small for an elastic network says so with a remedy, and nothing moves") {
   const auto user = startWith("water", small({}));
   ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
-  elastic.turn(true);
+  elastic.start();
   user->frames(5);
   CHECK_FALSE(elastic.model());
   CHECK(contains(elastic.problem(), "too few residues"));

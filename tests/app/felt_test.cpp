@@ -38,7 +38,7 @@ struct Felt {
     options.application.attempts_folder = scratch.folder / "attempts";
     driver = startWith(MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md", options);
     ScriptedUser& d = *driver;
-    d.app().scene.useMethod("mesh960-smooth");
+    useMethod(d.app().scene, "mesh960-smooth");
     d.point("view", 0.45, 0.55);
     frames(20);
     d.app().settings.sound = true;
@@ -73,7 +73,7 @@ struct Felt {
   }
   /// The one sample, still, for as long as it is looked at.
   void hold() {
-    driver->app().scene.showSample(shaded);
+    driver->app().scene.playedHand().show(shaded);
     driver->frames(120);  // the state lines wait a moment before they change
   }
 };
@@ -271,7 +271,7 @@ TEST_CASE(
   CHECK(d.text("view/force") == "0.4\u00a0N");
   CHECK(d.text("view/state") == "not touching, a force of 0.4\u00a0N");
   CHECK(d.text("status/contact") == "a force is felt");
-  CHECK(glm::distance(d.app().scene.pushInView(), Vec3(1, 0, 0)) < 1e-3);
+  CHECK(glm::distance(pushInView(d.app().scene), Vec3(1, 0, 0)) < 1e-3);
   d.press();
   d.frames(150);
   CHECK(glm::distance(now.hip.A, middle) < 0.05);

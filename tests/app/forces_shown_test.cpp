@@ -7,6 +7,7 @@
 #include "app/ui/panels/residue_forces.h"
 #include "app/ui/panels/view_overlays.h"
 #include "engine/haptics/field/coupled_field.h"
+#include "engine/haptics/field/force_choices.h"
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
@@ -155,17 +156,17 @@ TEST_CASE(
   w.pressInView(120);
   const ForceWatch& forces = w.scene().forces();
   REQUIRE(forces.residues().size() > kListedResidues);
-  double van_der_waals = 0.0, electrostatic = 0.0, before = 1e300;
+  EnergyByPart sum;
+  double before = 1e300;
   for (const EnergyShare& one : forces.residues()) {
     CHECK(std::abs(one.total_kcal_mol()) <= before);
     before = std::abs(one.total_kcal_mol());
-    van_der_waals += one.parts[EnergyPart::VanDerWaals];
-    electrostatic += one.parts[EnergyPart::Electrostatic];
+    sum += one.parts;
   }
   const MolecularEnergy& whole = *w.scene().log().latest().molecular_energy;
   // Residues below 0.05 kcal/mol are left out.
-  CHECK(van_der_waals == doctest::Approx(whole.parts[EnergyPart::VanDerWaals]).epsilon(0.02).scale(10.0));
-  CHECK(electrostatic == doctest::Approx(whole.parts[EnergyPart::Electrostatic]).epsilon(0.02).scale(10.0));
+  for (const EnergyPartInfo& part : energyParts())
+    CHECK(sum[part.part] == doctest::Approx(whole.parts[part.part]).epsilon(0.02).scale(10.0));
   REQUIRE(w.d->shows("residue_forces"));
   const std::string list = w.d->text("residue_forces");
   const Residue& first = w.scene().stage().molecule->residues[forces.residues().front().index];

@@ -23,7 +23,7 @@ ScriptedUser::Options windowFor(const std::string& imd) {
   ScriptedUser::Options options;
   options.width = 1000;
   options.height = 600;
-  options.application.imd = imd;
+  options.application.simulation = imd;
   return options;
 }
 
@@ -70,7 +70,7 @@ TEST_CASE(
     }
     REQUIRE_FALSE(live.ready());
     CHECK(user->app().scene.log().shownForce_N() == 0.0);
-    CHECK(user->app().scene.pulled().empty());
+    CHECK(user->app().scene.pull().atoms().empty());
     CHECK_FALSE(live.problem().empty());
     CHECK(user->app().messages.all().back().text == live.problem());
     const SharedArray<Sphere>& rest = user->app().scene.atoms().resting().spheres->spheres();
@@ -81,7 +81,7 @@ TEST_CASE(
     server.fault = ImdFault::None;
     live.connect();
     CHECK_MESSAGE(becomes(*user, [&] { return live.ready(); }), live.problem());
-    live.turn(false);
+    live.end();
     CHECK(becomes(*user, [&] { return server.gone == server.clients; }));
     CHECK(server.forceEnded());
     CHECK(server.disconnected());

@@ -242,25 +242,25 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   app.scene.servo_settings.force_on = true;
   app.scene.servo_settings.probe_A = 1.0;
   app.scene.servo_settings.stiffness_N_per_mm = 1.0;
-  app.scene.useMethod("penalty");
-  app.scene.shown.set(ViewPart::Cones, true);
+  useMethod(app.scene, "penalty");
+  app.scene.look.shown.set(ViewPart::Cones, true);
   app.panels.tabs.open("methods");
   app.panels.lesson = false;
   d->frames(2);
   CHECK_FALSE(app.scene.servo_settings.force_on);
   CHECK(app.scene.servo_settings.probe_A == 2.0);
   CHECK(app.scene.servo_settings.stiffness_N_per_mm == 0.5);
-  CHECK(app.scene.method() == "exact");
-  CHECK_FALSE(app.scene.shown.has(ViewPart::Cones));
+  CHECK(app.scene.touch().method == "exact");
+  CHECK_FALSE(app.scene.look.shown.has(ViewPart::Cones));
   CHECK(app.layout().touch.empty());
   CHECK_FALSE(app.layout().lesson.empty());
   app.lesson.next();
   d->frames(3);
   // The front matter's lock continues; the scene's has ended, and the student's panel is back.
-  app.scene.useMethod("penalty");
+  useMethod(app.scene, "penalty");
   app.scene.servo_settings.probe_A = 1.0;
   d->frames(2);
-  CHECK(app.scene.method() == "exact");
+  CHECK(app.scene.touch().method == "exact");
   CHECK(app.scene.servo_settings.probe_A == 1.0);
   CHECK_FALSE(app.layout().touch.empty());
 }

@@ -404,18 +404,18 @@ void LessonHand::draw(const std::string& name, const std::vector<double>& curve,
 }
 
 void LessonHand::useMethod(const std::string& name) {
-  if (d_.app().scene.method() == name) return;
+  if (d_.app().scene.touch().method == name) return;
   if (!mouse()) {
-    for (std::size_t k = 0; k < methods().size() && d_.app().scene.method() != name; ++k) d_.tap("M");
+    for (std::size_t k = 0; k < methods().size() && d_.app().scene.touch().method != name; ++k) d_.tap("M");
     return;
   }
   const Method& m = *findMethod(name);
   d_.click("tab/Methods");
   d_.click("method/" + std::string(m.family.name));
   d_.frames(2);
-  if (!gradeText(m).empty() && d_.app().scene.method() != name) d_.click("grade/" + gradeText(m));
+  if (!gradeText(m).empty() && d_.app().scene.touch().method != name) d_.click("grade/" + gradeText(m));
   d_.frames(2);
-  if (!m.variant.empty() && d_.app().scene.method() != name) d_.click("variant/" + std::string(m.variant));
+  if (!m.variant.empty() && d_.app().scene.touch().method != name) d_.click("variant/" + std::string(m.variant));
 }
 
 }  // namespace moltact

@@ -222,7 +222,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
 
   // Other methods, and a free answer.
   advanceTo(*d, "methods");
-  CHECK(d->app().scene.method() == "mesh80");
+  CHECK(d->app().scene.touch().method == "mesh80");
   d->hold("Right");
   d->frames(50);
   d->letGo("Right");
@@ -237,7 +237,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->hold("Space");
   for (int k = 0; k < 20 && !session(*d).task(1).done; ++k) {
     d->tap("M");
-    if (d->app().scene.method() == "exact" || d->app().scene.method() == "paper") d->frames(60);
+    if (d->app().scene.touch().method == "exact" || d->app().scene.touch().method == "paper") d->frames(60);
   }
   d->letGo("Space");
   CHECK(session(*d).task(1).done);

@@ -99,7 +99,7 @@ TEST_CASE(
     user->frames(60);
     REQUIRE(app.extensions().recorder.flush());
     file = app.extensions().recorder.file();
-    live.turn(false);
+    live.end();
     user->frames(5);
     CHECK(farthestFromRest_A(*user) == 0.0);
     CHECK_FALSE(live.live());
@@ -185,7 +185,7 @@ TEST_CASE(
     user->point("view", 0.5, 0.5);
     user->press();
     user->frames(60);
-    const std::size_t held = user->app().scene.pulled().size();
+    const std::size_t held = user->app().scene.pull().atoms().size();
     CHECK((hold == LiveMolecule::Hold::Atom ? held == 1 : held == 6 || held == 10));
     CHECK_FALSE(live.heldText().empty());
     user->point("view", 0.98, 0.5);
@@ -209,7 +209,7 @@ TEST_CASE(
     CHECK(live.frame().blow_ups == 0);
     user->release();
     user->frames(60);
-    CHECK(user->app().scene.pulled().empty());
+    CHECK(user->app().scene.pull().atoms().empty());
     CHECK(live.push_pN() == 0.0);
     CHECK(user->app().scene.log().shownForce_N() == 0.0);
   }
@@ -220,7 +220,7 @@ TEST_CASE("forces between atoms end the simulation with a message; a molecule wi
     const auto user = startWith("alanine-dipeptide", smallWindow({}));
     LiveMolecule& live = liveOf(*user);
     CHECK(live.offered());
-    live.turn(true);
+    live.start();
     user->frames(2);
     if (!simulates(*user)) return;
     user->frames(30);

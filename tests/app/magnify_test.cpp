@@ -116,7 +116,7 @@ TEST_CASE("what was magnified by hand is undone and redone, and so is its end by
   CHECK(d->click("tool/undo"));
   d->frames(3);
   CHECK(scale(*d) == doctest::Approx(whole));
-  CHECK_FALSE(d->app().scene.fit().by_hand);
+  CHECK_FALSE(d->app().scene.view().fit.by_hand);
   CHECK(d->click("tool/redo"));
   d->frames(3);
   CHECK(scale(*d) == doctest::Approx(0.1));

@@ -48,7 +48,7 @@ TEST_CASE("switching through families and grades while pressing keeps the contac
       d->frames(1);
       CHECK(d->click(std::string("grade/") + grade));
     }
-    CHECK(d->app().scene.method() == method);
+    CHECK(d->app().scene.touch().method == method);
     d->point("view", 0.45, 0.5);
     d->frames(12);
     CHECK(d->app().scene.log().touching());
@@ -63,7 +63,7 @@ TEST_CASE("switching through families and grades while pressing keeps the contac
 TEST_CASE("facets are drawn with a mesh and its switch on, and with no other method") {
   auto d = startWith("argon");
   d->app().panels.tabs.open("methods");
-  d->app().scene.useMethod("mesh80");
+  useMethod(d->app().scene, "mesh80");
   d->frames(20);
   REQUIRE(d->text("show/facets") == "on");
   const Picture with = d->picture();
@@ -71,7 +71,7 @@ TEST_CASE("facets are drawn with a mesh and its switch on, and with no other met
   d->point("plot/force");
   d->frames(20);
   CHECK(difference(with, d->picture()) > 0.005);
-  d->app().scene.useMethod("exact");
+  useMethod(d->app().scene, "exact");
   d->frames(2);
   CHECK_FALSE(d->shows("show/facets"));
 }
@@ -86,7 +86,7 @@ TEST_CASE("a lesson's step opens the panel with its method, and another lesson c
   openFirst(*d);
   d->frames(10);
   CHECK_FALSE(d->shows("tab/Methods"));
-  CHECK(d->app().scene.method() == "exact");
+  CHECK(d->app().scene.touch().method == "exact");
 }
 
 TEST_CASE("the key of methods does not switch, for a frame either, what a lesson has locked") {
@@ -95,13 +95,13 @@ TEST_CASE("the key of methods does not switch, for a frame either, what a lesson
                                  "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
                                  "## One\n```scene\nmolecule: argon\npanels: methods\nlocked: method\n```\nText.\n");
   auto d = startWith(file.string());
-  const auto family = d->app().scene.method();
+  const auto family = d->app().scene.touch().method;
   REQUIRE(d->text("method/Exact") == "on");
   d->hold("M");
   // As it was drawn in the very frame of the key.
   CHECK(d->text("method/Exact") == "on");
   d->letGo("M");
-  CHECK(d->app().scene.method() == family);
+  CHECK(d->app().scene.touch().method == family);
 }
 
 TEST_CASE("the lesson's failures of paper, penalty and grid are met with a mouse") {

@@ -176,7 +176,7 @@ TEST_CASE(
   states.goTo(1.0);
   d->frames(300);
   REQUIRE(states.share() == 1.0);
-  app.scene.holdAt(PoseA{body.middle});
+  app.scene.view().holdAt(PoseA{body.middle});
   d->frames(30);
   REQUIRE(glm::distance(app.scene.log().latest().shownBody().place.A, body.middle.A) < 0.3);
   states.goTo(0.0);

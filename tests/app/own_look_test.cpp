@@ -29,25 +29,25 @@ TEST_CASE(
   d->frames(10);
   CHECK_FALSE(app.panels.pages.look);
   // The ribbon, and lysine 48 with its 9 atoms as spheres: in a ribbon a mark would be a spot.
-  REQUIRE(app.scene.look.styles.size() == 2);
-  CHECK(app.scene.look.styles[0].style == DrawStyle::Cartoon);
-  CHECK(app.scene.look.styles[1].style == DrawStyle::Spheres);
-  REQUIRE(app.scene.look.styles[1].atoms);
-  CHECK(app.scene.look.styles[1].atoms->size() == 9);
-  REQUIRE(app.scene.look.hidden);
-  CHECK(app.scene.look.hidden->size() > 25);  // 1-4 are Met, Gln, Ile, Phe
-  CHECK(app.scene.look.colouring);
-  REQUIRE(app.scene.look.marks);
-  CHECK(app.scene.look.marks->at(0).name == "patch");
-  REQUIRE(app.scene.look.annotations);
-  CHECK(app.scene.look.annotations->labels.size() == 1);
-  CHECK(app.scene.look.annotations->bonds.size() > 5);
+  REQUIRE(app.scene.look.atoms.styles.size() == 2);
+  CHECK(app.scene.look.atoms.styles[0].style == DrawStyle::Cartoon);
+  CHECK(app.scene.look.atoms.styles[1].style == DrawStyle::Spheres);
+  REQUIRE(app.scene.look.atoms.styles[1].atoms);
+  CHECK(app.scene.look.atoms.styles[1].atoms->size() == 9);
+  REQUIRE(app.scene.look.atoms.hidden);
+  CHECK(app.scene.look.atoms.hidden->size() > 25);  // 1-4 are Met, Gln, Ile, Phe
+  CHECK(app.scene.look.atoms.colouring);
+  REQUIRE(app.scene.look.atoms.marks);
+  CHECK(app.scene.look.atoms.marks->at(0).name == "patch");
+  REQUIRE(app.scene.look.atoms.annotations);
+  CHECK(app.scene.look.atoms.annotations->labels.size() == 1);
+  CHECK(app.scene.look.atoms.annotations->bonds.size() > 5);
   // Another molecule has none of it.
   app.open("benzene");
   app.finishLoading();
   d->frames(5);
-  CHECK(app.scene.look.styles.empty());
-  CHECK_FALSE(app.scene.look.annotations);
+  CHECK(app.scene.look.atoms.styles.empty());
+  CHECK_FALSE(app.scene.look.atoms.annotations);
   CHECK(own.values[0].empty());
 }
 
@@ -59,13 +59,13 @@ TEST_CASE("names alone are one change, which undo takes back; a lesson on the sa
   own.values = {"", "", "", "", "residue for residue 3", ""};
   own.show(app.scene);
   d->frames(3);
-  REQUIRE(app.scene.look.annotations);
+  REQUIRE(app.scene.look.atoms.annotations);
   REQUIRE(d->click("tool/undo"));
   d->frames(3);
-  CHECK_FALSE(app.scene.look.annotations);
+  CHECK_FALSE(app.scene.look.atoms.annotations);
   CHECK(d->click("tool/redo"));
   d->frames(3);
-  REQUIRE(app.scene.look.annotations);
+  REQUIRE(app.scene.look.atoms.annotations);
   const ScratchFolder scratch;
   std::string lesson = argonLesson("Helix", "  - A goal\n", "Text.\n");
   for (std::size_t at; (at = lesson.find("argon")) != std::string::npos;) lesson.replace(at, 5, "alpha-helix");
@@ -74,7 +74,7 @@ TEST_CASE("names alone are one change, which undo takes back; a lesson on the sa
   app.finishLoading();
   d->frames(5);
   REQUIRE(app.lesson.onStage());
-  CHECK_FALSE(app.scene.look.annotations);
+  CHECK_FALSE(app.scene.look.atoms.annotations);
   CHECK(seenScene(app).annotations.empty());
 }
 
@@ -84,20 +84,20 @@ TEST_CASE(
   Application& app = d->app();
   d->frames(5);
   OwnLook& own = app.extensions().own_look;
-  app.scene.look.styles = {{.style = DrawStyle::Sticks}};
-  app.scene.look.colouring = schemeColouring(*app.scene.stage().molecule, "charge");
+  app.scene.look.atoms.styles = {{.style = DrawStyle::Sticks}};
+  app.scene.look.atoms.colouring = schemeColouring(*app.scene.stage().molecule, "charge");
   own.values = {"", "residue 1", "", "", "", ""};
   own.show(app.scene);
-  REQUIRE(app.scene.look.styles.size() == 1);
-  CHECK(app.scene.look.styles[0].style == DrawStyle::Sticks);
-  REQUIRE(app.scene.look.colouring);
-  CHECK(app.scene.look.colouring->scheme == "charge");
-  CHECK(app.scene.look.hidden);
+  REQUIRE(app.scene.look.atoms.styles.size() == 1);
+  CHECK(app.scene.look.atoms.styles[0].style == DrawStyle::Sticks);
+  REQUIRE(app.scene.look.atoms.colouring);
+  CHECK(app.scene.look.atoms.colouring->scheme == "charge");
+  CHECK(app.scene.look.atoms.hidden);
   own.values = {"cartoon", "", "element", "", "", ""};
   own.show(app.scene);
-  CHECK(app.scene.look.styles[0].style == DrawStyle::Cartoon);
-  CHECK_FALSE(app.scene.look.colouring);
-  CHECK_FALSE(app.scene.look.hidden);
+  CHECK(app.scene.look.atoms.styles[0].style == DrawStyle::Cartoon);
+  CHECK_FALSE(app.scene.look.atoms.colouring);
+  CHECK_FALSE(app.scene.look.atoms.hidden);
 }
 
 TEST_CASE("where a lesson locks what is shown the page stays shut, with another molecule on the stage too") {
@@ -128,7 +128,7 @@ TEST_CASE("the page says what is wrong with a value, and shows nothing then") {
   d->tap("Enter");
   d->frames(3);
   CHECK(app.panels.pages.look);
-  CHECK(app.scene.look.styles.empty());
+  CHECK(app.scene.look.atoms.styles.empty());
   app.extensions().own_look.values = {"", "chain Q", "", "", "", ""};
   d->frames(3);
   CHECK(contains(d->text("look/hide/fault"), "Q"));
@@ -143,11 +143,11 @@ TEST_CASE("colours are chosen in the menu; in a lesson only those that reveal no
   d->frames(3);
   REQUIRE(d->click("menu/view/colours/hydrophobicity"));
   d->frames(10);
-  REQUIRE(d->app().scene.look.colouring);
+  REQUIRE(d->app().scene.look.atoms.colouring);
   CHECK(d->shows("view/legend"));
   CHECK(d->click("tool/undo"));
   d->frames(5);
-  CHECK_FALSE(d->app().scene.look.colouring);
+  CHECK_FALSE(d->app().scene.look.atoms.colouring);
   openFirst(*d);
   d->app().finishLoading();
   d->frames(5);

@@ -46,7 +46,7 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
   Application& app = driver->app();
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
-  CHECK(app.scene.playing());
+  CHECK(app.scene.playedHand().on());
   CHECK(app.scene.molecule().file.filename().string() == line.stage(0.1)->file);
   playback.setRunning(false);
   std::size_t touched = 0;
@@ -81,7 +81,7 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
 
   CHECK(driver->click("playback/close"));
   driver->frames(5);
-  CHECK_FALSE(app.scene.playing());
+  CHECK_FALSE(app.scene.playedHand().on());
   CHECK_FALSE(driver->shows("playback/bar"));
   CHECK(bytesOf(file) == bytes);
   CHECK_FALSE(fs::exists(scratch.path / "other"));
@@ -221,7 +221,7 @@ TEST_CASE(
 
   const auto driver = startWith("1hpv", small(scratch.path / "other"));
   Application& app = driver->app();
-  const AtomList hidden_before = app.scene.look.hidden;
+  const AtomList hidden_before = app.scene.look.atoms.hidden;
   app.open(file);
   driver->app().finishLoading();
   Playback& playback = app.extensions().playback;
@@ -261,7 +261,7 @@ TEST_CASE(
   driver->frames(5);
   CHECK_FALSE(app.scene.stage().body);
   CHECK_FALSE(app.scene.stage().spheres->hasUntouchable());
-  CHECK(app.scene.look.hidden == hidden_before);
+  CHECK(app.scene.look.atoms.hidden == hidden_before);
 }
 
 TEST_CASE("a lesson that was open continues after the playback as if nothing had been touched meanwhile") {

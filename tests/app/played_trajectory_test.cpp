@@ -210,7 +210,7 @@ TEST_CASE("an elastic molecule gives the atoms to a trajectory that is opened, a
   writeModels(scratch.path / "shift.pdb", 12, "1ubq.pdb");
   const auto user = startWith("1ubq", small({}));
   ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
-  elastic.turn(true);
+  elastic.start();
   for (int k = 0; k < 600 && !elastic.owns(); ++k) user->frames(1);
   REQUIRE(elastic.owns());
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();

@@ -26,7 +26,7 @@ struct PotentialWindow {
   // Frames until the colours are there; at most a minute.
   int framesUntilKnown() {
     for (int frames = 0; frames < 6000; ++frames) {
-      if (scene().look.colouring && !scene().look.colouring->pending) return frames;
+      if (scene().look.atoms.colouring && !scene().look.atoms.colouring->pending) return frames;
       d->frames(1);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
@@ -45,9 +45,9 @@ TEST_CASE(
   TouchSetup touch = w.scene().touch();
   touch.dielectric = "distance";
   w.scene().setTouch(touch);
-  REQUIRE(w.scene().look.colouring);
-  CHECK(w.scene().look.colouring->pending);
-  CHECK_FALSE(w.scene().look.colouring->legend.entries.empty());
+  REQUIRE(w.scene().look.atoms.colouring);
+  CHECK(w.scene().look.atoms.colouring->pending);
+  CHECK_FALSE(w.scene().look.atoms.colouring->legend.entries.empty());
   w.d->frames(1);
   CHECK(w.colours().live());
   CHECK(w.colours().progress());
@@ -58,9 +58,9 @@ TEST_CASE(
   const std::vector<std::uint32_t> held = w.scene().stage().spheres->untouchable();
   const auto at_once =
       schemeColouring(*w.scene().stage().molecule, "potential", {.dielectric = "distance", .held = held});
-  CHECK(w.scene().look.colouring->of_atom == at_once->of_atom);
-  CHECK(w.scene().look.colouring->legend.gradient);
-  const std::size_t entries = w.scene().look.colouring->legend.entries.size();
+  CHECK(w.scene().look.atoms.colouring->of_atom == at_once->of_atom);
+  CHECK(w.scene().look.atoms.colouring->legend.gradient);
+  const std::size_t entries = w.scene().look.atoms.colouring->legend.entries.size();
   CHECK(entries == 5);
   w.d->app().extensions().history.undo();  // the medium
   w.d->frames(2);
@@ -69,15 +69,15 @@ TEST_CASE(
 
 TEST_CASE("another colouring, and another medium, end the computation of the first; the last one asked for is shown") {
   PotentialWindow w("2hhb");
-  w.scene().look.colouring = w.scene().colouring("potential");
+  w.scene().look.atoms.colouring = w.scene().look.colouring("potential");
   w.d->frames(1);
   CHECK(w.colours().live());
-  w.scene().look.colouring = w.scene().colouring("charge");
+  w.scene().look.atoms.colouring = w.scene().look.colouring("charge");
   w.d->frames(1);
   CHECK_FALSE(w.colours().live());
   CHECK_FALSE(w.colours().progress());
-  CHECK(w.scene().look.colouring->scheme == "charge");
-  w.scene().look.colouring = w.scene().colouring("potential");
+  CHECK(w.scene().look.atoms.colouring->scheme == "charge");
+  w.scene().look.atoms.colouring = w.scene().look.colouring("potential");
   w.d->frames(1);
   TouchSetup touch = w.scene().touch();
   touch.dielectric = "vacuum";
@@ -85,12 +85,12 @@ TEST_CASE("another colouring, and another medium, end the computation of the fir
   w.d->frames(1);
   REQUIRE(w.framesUntilKnown() >= 0);
   const auto at_once = schemeColouring(*w.scene().stage().molecule, "potential", {.dielectric = "vacuum"});
-  CHECK(w.scene().look.colouring->of_atom == at_once->of_atom);
+  CHECK(w.scene().look.atoms.colouring->of_atom == at_once->of_atom);
   // Known colours are shown in the next frame.
-  w.scene().look.colouring = w.scene().colouring("potential");
+  w.scene().look.atoms.colouring = w.scene().look.colouring("potential");
   w.d->frames(1);
   CHECK_FALSE(w.colours().live());
-  CHECK_FALSE(w.scene().look.colouring->pending);
+  CHECK_FALSE(w.scene().look.atoms.colouring->pending);
 }
 
 }  // namespace moltact

@@ -202,7 +202,8 @@ Read readWay(ScriptedUser& d) {
   hand.watch = [&] {
     const Contact& contact = d.app().scene.log().latest().contact;
     // The line rests for a moment before it says something new.
-    if (contact.touching() && d.app().scene.touchesUnseen(contact) && d.app().extensions().state_text.tellsContact())
+    if (contact.touching() && d.app().scene.look.touchesUnseen(contact) &&
+        d.app().extensions().state_text.tellsContact())
       reader.look(by_kind[contact.feature]);
   };
   hand.follow(session(d).taskAt(0)->demonstrate(hand.planInput(0)), 0);

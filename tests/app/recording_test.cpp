@@ -169,8 +169,8 @@ TEST_CASE(
   CHECK_FALSE(reported(*d, "is not the one of this recording"));
   REQUIRE(d->app().scene.stage().body);
   CHECK(d->app().scene.stage().body->atoms == held);
-  REQUIRE(d->app().scene.look.hidden);
-  CHECK(*d->app().scene.look.hidden == held);
+  REQUIRE(d->app().scene.look.atoms.hidden);
+  CHECK(*d->app().scene.look.atoms.hidden == held);
   int compared = 0;
   for (int k = 0; k < 100 && player.playing(); ++k) {
     d->frames(1);
@@ -189,7 +189,7 @@ TEST_CASE(
   CHECK_FALSE(player.playing());
   CHECK_FALSE(d->app().scene.stage().body);
   CHECK_FALSE(d->app().scene.stage().spheres->hasUntouchable());
-  CHECK_FALSE(d->app().scene.look.hidden);
+  CHECK_FALSE(d->app().scene.look.atoms.hidden);
   CHECK(d->app().scene.camera == seen);
 }
 
@@ -278,7 +278,7 @@ TEST_CASE(
   recorder.record(scratch.folder / "second.recording");
   d->frames(60);
   CHECK(recorder.recording());
-  d->app().scene.useMethod("penalty");
+  useMethod(d->app().scene, "penalty");
   d->frames(3);
   CHECK_FALSE(recorder.recording());
   CHECK(readServoRecording(scratch.folder / "second.recording")->ticks.size() > 900);

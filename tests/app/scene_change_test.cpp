@@ -42,7 +42,7 @@ TEST_CASE(
     d->frames(2);
     const Camera away = app.scene.camera;
     REQUIRE(turn_rad(home, away) > 0.5);
-    app.scene.beginAgain([](Camera&, const Molecule&) {});
+    app.scene.view().beginAgain([](Camera&, const Molecule&) {});
     app.extensions().scene_change.sceneChanged();
     d->frames(1);
     if (reduced) {

@@ -56,7 +56,7 @@ TEST_CASE(
   d->frames(20);
   const TouchableModel& stage = d->app().scene.stage();
   CHECK(presses());
-  CHECK(d->app().scene.look.hidden->size() == stage.spheres->untouchable().size());
+  CHECK(d->app().scene.look.atoms.hidden->size() == stage.spheres->untouchable().size());
   for (const std::int32_t atom : d->app().scene.log().latest().contact.atoms)
     if (atom >= 0) CHECK(stage.spheres->touchable(std::size_t(atom)));
   d->app().lesson.back();
@@ -79,12 +79,12 @@ TEST_CASE(
   auto d = startWith(file.string());
   Application& app = d->app();
   const Molecule& molecule = *app.scene.stage().molecule;
-  REQUIRE(app.scene.look.cut);
+  REQUIRE(app.scene.look.atoms.cut);
   Vec3 middle(0.0);
   const auto atoms = parseSelection("residue 30")->select(molecule);
   for (const auto a : atoms) middle += molecule.spheres[a].centre_A / double(atoms.size());
-  CHECK(glm::distance(app.scene.look.cut->normal, app.scene.camera.back()) < 1e-9);
-  CHECK(app.scene.look.cut->offset_A == doctest::Approx(glm::dot(app.scene.camera.back(), middle)));
+  CHECK(glm::distance(app.scene.look.atoms.cut->normal, app.scene.camera.back()) < 1e-9);
+  CHECK(app.scene.look.atoms.cut->offset_A == doctest::Approx(glm::dot(app.scene.camera.back(), middle)));
   const Camera home = app.scene.camera;
   CHECK(d->click("lesson/0/the tail"));
   d->frames(3);
@@ -216,7 +216,7 @@ TEST_CASE(
                                      "\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: " + molecule + "\n" +
                                      more + "```\nRead.\n");
     auto d = startWith(file.string());
-    return d->app().scene.look.styles;
+    return d->app().scene.look.atoms.styles;
   };
   const std::vector<StyledAtoms> haemoglobin = opened("2hhb", "highlight: residue 58 and chain A\n");
   REQUIRE(haemoglobin.size() == 2);
@@ -227,7 +227,7 @@ TEST_CASE(
   CHECK(opened("1ubq", "").size() == 1);
   CHECK(opened("1ubq", "style: spheres\n") == std::vector<StyledAtoms>{StyledAtoms{}});
   CHECK(opened("benzene", "").empty());
-  CHECK(startWith("1ubq")->app().scene.look.styles.empty());
+  CHECK(startWith("1ubq")->app().scene.look.atoms.styles.empty());
 }
 
 }  // namespace moltact

@@ -217,7 +217,7 @@ TEST_CASE(
   auto d = firstTouchAt("a-molecule-that-you-cannot-see", true);
   const RevealPolicy& policy = d->app().extensions().reveal_policy;
   const Rectangle view = d->app().layout().view;
-  REQUIRE(d->app().scene.drawsNothing());
+  REQUIRE(d->app().scene.look.drawsNothing());
   CHECK(policy.all());
   d->point("view", 0.1, 0.1);
   d->frames(60);
@@ -243,14 +243,14 @@ TEST_CASE(
   };
   forget(true, false);
   d->frames(90);
-  CHECK(d->app().scene.drawsNothing());
+  CHECK(d->app().scene.look.drawsNothing());
   d->point("view", 0.1, 0.1);
   d->frames(60);
   CHECK(differenceIn(view, before, d->picture()) == 0.0);
   session(*d).choose(0, {3});
   REQUIRE(session(*d).question(0).answered_right);
   d->frames(2);
-  CHECK_FALSE(d->app().scene.drawsNothing());
+  CHECK_FALSE(d->app().scene.look.drawsNothing());
   CHECK_FALSE(policy.all());
   CHECK(policy.veil() > 0.9);
   REQUIRE(d->app().extensions().touch_paint.trail());
@@ -270,10 +270,10 @@ TEST_CASE("with reduced motion the molecule is shown at once; begun again, its t
   session(*d).choose(0, {3});
   d->frames(3);
   CHECK(d->app().extensions().reveal_policy.veil() == 0.0);
-  CHECK_FALSE(d->app().scene.drawsNothing());
+  CHECK_FALSE(d->app().scene.look.drawsNothing());
   session(*d).restartTask(0);
   d->frames(3);
-  CHECK(d->app().scene.drawsNothing());
+  CHECK(d->app().scene.look.drawsNothing());
   CHECK(d->app().extensions().reveal_policy.all());
 }
 

@@ -56,7 +56,7 @@ TEST_CASE(
     CHECK(d->app().settings.units == Units{{"length", "nm"}});
     d->tap("Escape");
     d->app().panels.touch_details = true;
-    d->app().scene.useMethod("grid02");
+    useMethod(d->app().scene, "grid02");
     d->point("view");
     d->press(0);
     d->frames(60);

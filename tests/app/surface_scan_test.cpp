@@ -101,7 +101,7 @@ TEST_CASE("a scan is no part of free exploration, and another molecule ends the 
   user->frames(5);
   CHECK_FALSE(scan.on());
   CHECK_FALSE(scan.touching());
-  CHECK(app.scene.touchedField() == nullptr);
+  CHECK(app.scene.scanned().field() == nullptr);
 }
 
 }  // namespace moltact

@@ -121,7 +121,7 @@ TEST_CASE("switching the tracker while touching keeps the contact") {
   REQUIRE(d->app().scene.log().touching());
   const Vec3 scp = d->app().scene.log().latest().contact.scp.A;
   for (const Method& m : methods()) {
-    d->app().scene.useMethod(m.name);
+    useMethod(d->app().scene, m.name);
     d->frames(2);
     CAPTURE(m.name);
     CHECK(d->app().scene.log().touching());

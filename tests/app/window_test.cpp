@@ -208,9 +208,9 @@ TEST_CASE("the probe's slider sets the radius, and the shape switches change the
   CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(6.0));
   CHECK(d->text("probe") == "6.0\u00a0Å");
   const Picture before = d->picture();
-  const bool spheres = d->app().scene.shown.has(ViewPart::Spheres);
+  const bool spheres = d->app().scene.look.shown.has(ViewPart::Spheres);
   CHECK(d->click("show/spheres"));
-  CHECK(d->app().scene.shown.has(ViewPart::Spheres) != spheres);
+  CHECK(d->app().scene.look.shown.has(ViewPart::Spheres) != spheres);
   d->frames(20);
   CHECK(difference(before, d->picture()) > 0.002);
 }

@@ -29,6 +29,7 @@ TEST_CASE(
     CHECK((e.make != nullptr) != (e.connect != nullptr));
     CHECK((e.make != nullptr) == e.ending.starts_with('.'));
     CHECK((e.connect != nullptr) == !e.scheme.empty());
+    CHECK(e.programs.empty() == e.scheme.empty());
     CHECK(seen.insert(e.make ? e.ending : e.scheme).second);
     CHECK(page->find(e.name) != std::string::npos);
     CHECK(key.find(e.name) != std::string::npos);

@@ -29,7 +29,7 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
       extensions_(parts.extensions(*this)),
       keys_(parts.keys),
       panels_(parts.panels) {
-  scene.shown = lesson.shownParts();
+  scene.look.shown = lesson.shownParts();
   std::string fault;
   if (!options_.settings_file.empty()) {
     LoadedSettings loaded = loadSettings(options_.settings_file);
@@ -116,20 +116,20 @@ void Application::enterScene() {
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
   scene.setTouch(spec->touch);
-  scene.shown = lesson.shownParts();
-  scene.colour_by = colourBy(*spec);
+  scene.look.shown = lesson.shownParts();
+  scene.look.colour_by = colourBy(*spec);
   panels.tabs.applyLesson(spec->panels);
   measureView();
   if (scene.stage()) lesson.setMolecule(scene.stage().molecule, scene.molecule());
-  scene.look = lesson.looks();
+  scene.look.atoms = lesson.looks();
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {
     messages.error(molecule.problem().text());
     return;
   }
   if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
-    scene.fit().region = lesson.region();
-    scene.fit().zoomed = lesson.zoomed();
+    scene.view().fit.region = lesson.region();
+    scene.view().fit.zoomed = lesson.zoomed();
     beginSceneAgain();
     return;
   }
@@ -145,11 +145,11 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
       felt.spheres != scene.stage().spheres)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
-    scene.beginAgainAt(*before);
+    scene.view().beginAgainAt(*before);
   else if (turned)
-    scene.beginAgain([&](Camera& camera, const Molecule&) { camera.orientation = *turned; });
+    scene.view().beginAgain([&](Camera& camera, const Molecule&) { camera.orientation = *turned; });
   else
-    scene.beginAgain(facing());
+    scene.view().beginAgain(facing());
   if (!before && !turned) cutOpen();
   warnBodyTooLarge();
   for (Extension* e : extensions_->all()) e->sceneChanged();
@@ -194,14 +194,14 @@ void Application::onLoaded(Loaded loaded) {
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
     settings.remember(loaded.key.file);
-    scene.colour_by = usualColourBy(*loaded.stage->molecule);
+    scene.look.colour_by = usualColourBy(*loaded.stage->molecule);
   }
   panels.pages.welcome = false;
   measureView();
   lesson.setMolecule(loaded.stage->molecule, loaded.key);
-  scene.look = lesson.looks();
-  scene.fit().region = lesson.region();
-  scene.fit().zoomed = lesson.zoomed();
+  scene.look.atoms = lesson.looks();
+  scene.view().fit.region = lesson.region();
+  scene.view().fit.zoomed = lesson.zoomed();
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
   warnBodyTooLarge();
@@ -215,7 +215,7 @@ Facing Application::facing() const {
 void Application::cutOpen() {
   if (!scene.stage()) return;
   lesson.cutFor(scene.camera, *scene.stage().molecule);
-  scene.look.cut = lesson.looks().cut;
+  scene.look.atoms.cut = lesson.looks().cut;
 }
 
 void Application::showView(const ViewSpec& view) {
@@ -223,8 +223,8 @@ void Application::showView(const ViewSpec& view) {
   const Molecule& molecule = *scene.atoms().seen();
   const SceneSpec spec = lesson.session() && lesson.onStage() ? lesson.session()->scene() : SceneSpec();
   const Camera seen = scene.camera;
-  scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
-                                 zoomedRegion(view, spec, molecule, scene.servo_settings.probe_A));
+  scene.camera = scene.view().cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
+                                        zoomedRegion(view, spec, molecule, scene.servo_settings.probe_A));
   for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 
@@ -254,7 +254,7 @@ void Application::comeCloseTo(PointA place) {
   for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 
-void Application::resetView() { scene.resetView(facing()); }
+void Application::resetView() { scene.view().reset(facing()); }
 
 void Application::resetViewByHand() {
   const Camera seen = scene.camera;
@@ -288,7 +288,7 @@ Layout Application::layoutNow() const {
 void Application::measureView() {
   if (!(window_px_.x > 0.0f)) return;
   const glm::vec2 view = layoutNow().view.size();
-  scene.fit().view_aspect = view.y > 0 ? double(view.x) / double(view.y) : 1.0;
+  scene.view().fit.view_aspect = view.y > 0 ? double(view.x) / double(view.y) : 1.0;
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
@@ -309,7 +309,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
   const std::span<Extension* const> extensions = extensions_->all();
   for (Extension* e : extensions) e->beforeTicks();
-  scene.rest(panels.pages.welcome);
+  scene.force().rest(panels.pages.welcome);
   const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
   // A recorded hand does no task.
   const bool mouse = &scene.servo().device() == &scene.servo().mouse().info();

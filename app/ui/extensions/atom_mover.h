@@ -2,13 +2,13 @@
 // trajectory, a simulation. Attempts record where a mover's atoms are in its own parameter (AtomsMoved), and a playback
 // has the mover restore them from it. Window's thread.
 //
-// A new mover is one file with a class that derives from AtomMover, and one line in the constructor of AtomMovers
-// (atom_movers.cpp). It receives every event of an Extension, and moves the atoms by
-// HapticSession::moveAtoms or placeAtoms with `own_`, after own_.claim(). What the hand does to the atoms comes from
-// ServoLoop::takeImpulses.
+// A new mover is one file with a class that derives from AtomMover, and one row of MOLTACT_ATOM_MOVERS (atom_movers.h). It
+// receives every event of an Extension, and moves the atoms by HapticSession::moveAtoms or placeAtoms with `own_`, after
+// own_.claim(). What the hand does to the atoms comes from ServoLoop::takeImpulses.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "app/ui/application/extension.h"
@@ -54,14 +54,23 @@ class AtomMover : public Extension {
   /// them until it is released. A position out of range is clamped.
   virtual void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) = 0;
 
-  /// Ends a motion that the user started, because another mover was chosen; the atoms return to their places. A motion of
-  /// the scene itself stays.
+  /// Why the user cannot start it in the open scene, as a sentence; empty if nothing prevents it. Here: the scene's two
+  /// structures. An override asks this one first.
+  virtual std::string unavailable() const;
+  /// Starts it at the user's request, after the motions of all other movers have ended. Returns false and does nothing
+  /// while it is unavailable.
+  bool start();
+  /// Ends its motion, at the user's request or because the user has started another mover; the atoms return to their
+  /// places. Does nothing if it is not on.
   virtual void end() {}
 
   /// Whether it owns the atoms (app/ui/scene/motion_owner.h).
   bool owns() const { return own_.owns(); }
 
  protected:
+  /// Begins the motion for start(). Does nothing if it is on.
+  virtual void onStart() {}
+
   HapticSession& scene_;
   LessonGuide& lesson_;
   Messages& messages_;

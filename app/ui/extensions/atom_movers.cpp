@@ -6,16 +6,30 @@
 #include "app/ui/extensions/live_molecule.h"
 #include "app/ui/extensions/moving_states.h"
 #include "app/ui/extensions/played_trajectory.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
 AtomMovers::AtomMovers(const MoverParts& parts) : parts_(parts) {
   parts_.movers = this;
-  // One line for each.
-  add<MovingStates>();
-  add<ElasticMolecule>();
-  add<PlayedTrajectory>();
-  add<LiveMolecule>();
+#define MOLTACT_ADD(Mover) add<Mover>();
+  MOLTACT_ATOM_MOVERS(MOLTACT_ADD)
+#undef MOLTACT_ADD
+}
+
+std::string AtomMover::unavailable() const {
+  const LessonSession* session = lesson_.session();
+  if (session && lesson_.onStage() && !session->scene().then.molecule.empty())
+    return tr("The slider moves the atoms of this scene.");
+  return {};
+}
+
+bool AtomMover::start() {
+  if (!unavailable().empty()) return false;
+  if (movers_) movers_->endOthers(*this);
+  onStart();
+  return true;
 }
 
 AtomMover* AtomMovers::ofKind(std::string_view kind) const {

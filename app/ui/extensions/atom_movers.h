@@ -13,9 +13,17 @@
 
 namespace moltact {
 
+// All movers of the program, by their class. Of two that could move the atoms of a scene, the first one does. For each, a
+// file of app/ui/panels defines draw<Class>Section(Application&), its part of the tab Motion (motion_sections.h).
+#define MOLTACT_ATOM_MOVERS(MOVER) \
+  MOVER(MovingStates)              \
+  MOVER(PlayedTrajectory)          \
+  MOVER(LiveMolecule)              \
+  MOVER(ElasticMolecule)
+
 class AtomMovers : public Extension {
  public:
-  /// Makes the movers of the program: its body is their list.
+  /// Makes the movers of the program.
   explicit AtomMovers(const MoverParts& parts);
 
   /// Adds a mover of this class.
@@ -42,7 +50,7 @@ class AtomMovers : public Extension {
   /// Its position, with its kind; empty if nothing moves the atoms of the open scene.
   std::optional<AtomsMoved> position() const;
 
-  /// Ends what the other movers do, because the user has chosen this one.
+  /// Ends what the other movers do, because this one starts (AtomMover::start).
   void endOthers(const AtomMover& chosen);
 
   // Every event of an Extension.

@@ -26,7 +26,7 @@ void ClassTurns::call() {
 void ClassTurns::start() {
   if (turns_.state() != Turns::State::HandOver) return;
   turns_.start();
-  scene_.showSample(std::nullopt);
+  scene_.playedHand().show(std::nullopt);
   recorder_.pause(false);
   recorder_.passTo(turns_.current());
 }
@@ -46,7 +46,7 @@ void ClassTurns::skip() {
 
 void ClassTurns::end() {
   turns_.end();
-  scene_.showSample(std::nullopt);
+  scene_.playedHand().show(std::nullopt);
   recorder_.pause(false);
   recorder_.passTo({});
 }
@@ -77,7 +77,7 @@ void ClassTurns::beforeTicks() {
   if (!on()) return;
   if (turns_.tick(time_.dt_s)) call();
   // No force and no touch during a hand-over.
-  if (turns_.state() == Turns::State::HandOver) scene_.showSample(ServoSample());
+  if (turns_.state() == Turns::State::HandOver) scene_.playedHand().show(ServoSample());
 }
 
 }  // namespace moltact

@@ -138,7 +138,7 @@ void DeviceLink::use(const std::string& name, std::unique_ptr<Device> device) {
   // A haptic device has a limited workspace and a button for the clutch.
   scene_.servo_settings.clutch =
       name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
-  scene_.fitRoomOfDevice();
+  scene_.view().fitDevice();
 }
 
 void DeviceLink::taken(const std::string& name) {
@@ -213,12 +213,12 @@ void DeviceLink::offer() {
 }
 
 void DeviceLink::tryForce() {
-  if (scene_.tryForce(kTry_N)) trying_s_ = kTry_s;
+  if (scene_.force().tryOut(kTry_N)) trying_s_ = kTry_s;
 }
 
 void DeviceLink::stopTrying() {
   trying_s_ = 0.0;
-  scene_.endTry();
+  scene_.force().endTrial();
 }
 
 // Lets a 6-DOF mouse or stick move the view, except while a task keeps the screen dark.
@@ -245,11 +245,11 @@ void DeviceLink::beforeTicks() {
   look();
   openWished();
   leadView();
-  scene_.followView();
+  scene_.view().follow();
   if (chosen_ != "mouse") scene_.servo_settings.clutch.buttons = stager_.takesSecondButton() ? 0 : kClutchButton;
   for (double& left : limit_left_s_) left = std::max(0.0, left - time_.dt_s);
   // The panic key, another scene and the playback of a recording end the test force.
-  trying_s_ = scene_.trying() ? trying_s_ - time_.dt_s : 0.0;
+  trying_s_ = scene_.force().trying() ? trying_s_ - time_.dt_s : 0.0;
   if (trying_s_ <= 0.0) stopTrying();
   ask();
 }

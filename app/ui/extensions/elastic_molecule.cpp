@@ -79,18 +79,21 @@ void ElasticMolecule::sceneChanged() {
 }
 
 std::string ElasticMolecule::unavailable() const {
-  const LessonSession* session = lesson_.session();
-  if (session && lesson_.onStage() && !session->scene().then.molecule.empty())
-    return tr("The slider moves the atoms of this scene.");
+  if (std::string why = AtomMover::unavailable(); !why.empty()) return why;
   if (forceChoice(scene_.touch().forces).any())
     return tr("Forces between atoms act in a molecule at rest. Switch them off to make it elastic.");
   return {};
 }
 
-void ElasticMolecule::turn(bool on) {
-  if (on == on_ || (on && !unavailable().empty())) return;
-  on_ = on;
-  if (on_ && scene_.stage()) return begin();
+void ElasticMolecule::onStart() {
+  if (on_) return;
+  on_ = true;
+  if (scene_.stage()) begin();
+}
+
+void ElasticMolecule::end() {
+  if (!on_) return;
+  on_ = false;
   // The atoms return to their places.
   if (motion_ && own_.owns()) scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
   forget();
@@ -141,7 +144,7 @@ void ElasticMolecule::beforeTicks() {
   if (std::optional<Expected<ElasticModel>> made = reading_.take()) take(*std::move(made));
   if (!motion_ || scene_.stage().molecule != molecule_) return;
   if (std::string why = unavailable(); !why.empty()) {
-    turn(false);
+    end();
     messages_.notice(std::move(why));
     return;
   }

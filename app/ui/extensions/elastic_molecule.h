@@ -50,10 +50,8 @@ class ElasticMolecule : public AtomMover {
 
   /// Whether the molecule yields.
   bool on() const { return on_; }
-  void turn(bool on);
-  void end() override { turn(false); }
-  /// Why the molecule cannot yield in this scene, as a sentence; empty if it can.
-  std::string unavailable() const;
+  void end() override;
+  std::string unavailable() const override;
   bool computing() const { return reading_.busy(); }
   const std::string& problem() const { return problem_; }
   /// Null until it is computed.
@@ -70,6 +68,7 @@ class ElasticMolecule : public AtomMover {
   void feelModeAlone(bool on);
 
  private:
+  void onStart() override;
   void forget();
   void resetModes();
   void begin();

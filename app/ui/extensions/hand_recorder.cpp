@@ -28,7 +28,7 @@ void HandRecorder::record(const fs::path& file) {
   stop();
   Expected<ServoRecordingWriter> made = ServoRecordingWriter::create(file, true);
   if (!made) return messages_.error(made.problem().text());
-  if (!scene_.beginRecording())
+  if (!scene_.recording().begin())
     return messages_.error(tr("Nothing can be recorded now: open a molecule, and end what is played."));
   writer_.emplace(*std::move(made));
   file_ = file;
@@ -153,7 +153,7 @@ void HandRecorder::begin() {
     messages_.warning(
         tr("The open molecule is not the one of this recording. The hand repeats its recorded path and may touch other "
            "atoms."));
-  scene_.endTry();
+  scene_.force().endTrial();
   scene_.setTouch(labelledTouch(waiting_->labels, scene_.touch()));
   before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
@@ -170,7 +170,7 @@ void HandRecorder::begin() {
 // Applies the settings that were recorded at this tick.
 void HandRecorder::lead() {
   const RecordedTick& now = device_->recording().ticks[device_->at()];
-  scene_.leadBy(&now.settings);
+  scene_.recording().lead(now.settings);
   moveAtoms(now);
 }
 
@@ -190,11 +190,11 @@ void HandRecorder::endPlay() {
   const bool leads = scene_.servo().loop().device() == device_;
   device_ = nullptr;
   motions_.reset();
-  scene_.leadBy(nullptr);
+  scene_.recording().endLead();
   if (moves_.owns()) scene_.placeAtoms(moves_, scene_.atoms().resting().spheres->spheres());
   moves_.release();
   body_.release();
-  if (!scene_.playing()) attempts_.pause(false);
+  if (!scene_.playedHand().on()) attempts_.pause(false);
   if (leads) link_.giveBack(before_);
 }
 

@@ -42,7 +42,7 @@ double rmsdBetween_A(const HeldBody& body, const PoseA& one, const PoseA& other)
   return body.spheres.empty() ? 0.0 : std::sqrt(sum / double(body.spheres.size()));
 }
 
-bool HeldPoses::on() const { return scene_.stage().body && scene_.forces().field() && !scene_.playing(); }
+bool HeldPoses::on() const { return scene_.stage().body && scene_.forces().field() && !scene_.playedHand().on(); }
 
 // Energies of other forces cannot be compared.
 std::string HeldPoses::forces() const {
@@ -191,13 +191,14 @@ void HeldPoses::addMinimum() {
 }
 
 bool HeldPoses::canTake() const {
-  return selected_ && *selected_ < list().size() && !list()[*selected_].minimised && !taskOpen() && !scene_.trying();
+  return selected_ && *selected_ < list().size() && !list()[*selected_].minimised && !taskOpen() &&
+         !scene_.force().trying();
 }
 
 void HeldPoses::take() {
   if (!canTake()) return;
   quiet_ticks_ = 0;
-  scene_.holdAt(list()[*selected_].pose);
+  scene_.view().holdAt(list()[*selected_].pose);
   taken_ = true;
 }
 

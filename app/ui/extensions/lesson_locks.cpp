@@ -16,9 +16,9 @@ void LessonLocks::afterPanels() {
     if (spec.locks(property.key)) setTouchValue(touch, property, touchValue(set, property));
   scene_.setTouch(touch);
   if (spec.locks("show")) {
-    scene_.shown = lesson_.shownParts();
-    scene_.look = lesson_.looks();
-    scene_.colour_by = colourBy(spec);
+    scene_.look.shown = lesson_.shownParts();
+    scene_.look.atoms = lesson_.looks();
+    scene_.look.colour_by = colourBy(spec);
   }
   if (spec.locks("panels")) {
     panels_.lesson = true;

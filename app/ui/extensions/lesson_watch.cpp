@@ -142,7 +142,7 @@ void LessonWatch::onLoaded(LessonCheck check) {
   bytes_ = pending_bytes_;
   lesson_.replace(*std::move(check.lesson));
   own_opening_ = lesson_.openings();
-  scene_.startSoftly();
+  scene_.force().startSoftly();
   messages_.notice(trf("Read again: {0}", file_.filename().string()));
 }
 

@@ -56,7 +56,7 @@ Expected<LiveMolecule::Opened> LiveMolecule::openAddress(const SimulationAddress
 void LiveMolecule::forget() {
   if (simulation_) {
     scene_.servo().loop().wantImpulses(false);
-    scene_.pull({});
+    scene_.pull().hold({});
   }
   hold_ = Hold::Push;
   selected_.clear();
@@ -81,7 +81,7 @@ std::optional<SimulationAddress> LiveMolecule::address() const {
   if (session && lesson_.onStage())
     text = session->scene().simulation;
   else if (!named_for_.empty() && scene_.molecule().file == named_for_)
-    text = options_.imd;
+    text = options_.simulation;
   const auto read = simulationAddress(text);
   return read && *read ? std::optional(**read) : std::nullopt;
 }
@@ -105,19 +105,17 @@ void LiveMolecule::sceneChanged() {
   if (!lesson && by_lesson_) on_ = false;
   by_lesson_ = lesson;
   // The command line names the address for the first molecule.
-  if (!lesson && !options_.imd.empty() && named_for_.empty() && scene_.stage()) {
+  if (!lesson && !options_.simulation.empty() && named_for_.empty() && scene_.stage()) {
     named_for_ = scene_.molecule().file;
-    agreed_ = options_.imd;
-    on_ = unavailable().empty();
+    agreed_ = options_.simulation;
+    if (start()) return;
   }
   if (!on_ || !scene_.stage()) return forget();
   begin();
 }
 
 std::string LiveMolecule::unavailable() const {
-  const LessonSession* session = lesson_.session();
-  if (session && lesson_.onStage() && !session->scene().then.molecule.empty())
-    return tr("The slider moves the atoms of this scene.");
+  if (std::string why = AtomMover::unavailable(); !why.empty()) return why;
   if (forceChoice(scene_.touch().forces).any())
     return tr("Forces between atoms act in a molecule at rest. Switch them off to simulate it.");
   if (scene_.stage() && scene_.stage().body)
@@ -125,10 +123,15 @@ std::string LiveMolecule::unavailable() const {
   return {};
 }
 
-void LiveMolecule::turn(bool on) {
-  if (on == on_ || (on && !unavailable().empty())) return;
-  on_ = on;
-  if (on_ && scene_.stage()) return begin();
+void LiveMolecule::onStart() {
+  if (on_) return;
+  on_ = true;
+  if (scene_.stage()) begin();
+}
+
+void LiveMolecule::end() {
+  if (!on_) return;
+  on_ = false;
   // The atoms return to their places.
   if (simulation_ && own_.owns()) scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
   forget();
@@ -266,7 +269,7 @@ void LiveMolecule::pushAtoms() {
   wanted_.pushes.clear();
   push_pN_ = share * glm::length(sum) * kForceUnit_pN;
   ticks_ = 0;
-  if (!scene_.pulled().empty()) {
+  if (!scene_.pull().atoms().empty()) {
     std::fill(impulses_N_s_.begin(), impulses_N_s_.end(), Vec3(0.0));
     return gripAtoms(spring);
   }
@@ -280,7 +283,7 @@ void LiveMolecule::pushAtoms() {
 // Each held atom is drawn to the place that it had when it was taken, moved by the hand's way since then, by a share of
 // the spring as large as its share of the mass. Together they act on the centre of mass like the one spring.
 void LiveMolecule::gripAtoms(double spring_kcal_mol_A2) {
-  const std::vector<std::uint32_t>& held = scene_.pulled();
+  const std::vector<std::uint32_t>& held = scene_.pull().atoms();
   if (held.size() != taken_A_.size()) return;
   const Vec3 followed = heldCentre_A() - taken_at_A_;
   Vec3 ahead = scene_.log().latest().hip.A - hand_took_at_A_ - followed;
@@ -297,13 +300,13 @@ double LiveMolecule::springOfHand_kcal_mol_A2() const {
 
 void LiveMolecule::setHold(Hold hold) {
   hold_ = hold;
-  scene_.pull({});
+  scene_.pull().hold({});
 }
 
 // A press takes hold of the first atom that it touches.
 void LiveMolecule::takeOrLetGo() {
-  const bool holds = !scene_.pulled().empty();
-  if (holds && !scene_.controls.pressing()) return scene_.pull({});
+  const bool holds = !scene_.pull().atoms().empty();
+  if (holds && !scene_.controls.pressing()) return scene_.pull().hold({});
   if (holds || hold_ == Hold::Push || !scene_.controls.pressing()) return;
   const Contact& contact = scene_.log().latest().contact;
   const auto touched = std::find_if(contact.atoms.begin(), contact.atoms.end(), [](auto atom) { return atom >= 0; });
@@ -322,28 +325,28 @@ void LiveMolecule::takeOrLetGo() {
   std::vector<double> masses;
   for (const std::uint32_t atom : atoms) masses.push_back(massOf(atom));
   shares_ = PullSpring::sharesOf(masses, masses.size());
-  scene_.pull(std::move(atoms), std::move(masses));
-  if (scene_.pulled().size() != shares_.size()) return;
+  scene_.pull().hold(std::move(atoms), std::move(masses));
+  if (scene_.pull().atoms().size() != shares_.size()) return;
   taken_at_A_ = heldCentre_A();
   hand_took_at_A_ = scene_.log().latest().hip.A;
   taken_A_.clear();
-  for (const std::uint32_t atom : scene_.pulled()) taken_A_.push_back(smooth_A_[atom]);
+  for (const std::uint32_t atom : scene_.pull().atoms()) taken_A_.push_back(smooth_A_[atom]);
 }
 
 Vec3 LiveMolecule::heldCentre_A() const {
   Vec3 out(0.0);
-  const std::vector<std::uint32_t>& held = scene_.pulled();
+  const std::vector<std::uint32_t>& held = scene_.pull().atoms();
   for (std::size_t k = 0; k < std::min(held.size(), shares_.size()); ++k)
     if (held[k] < smooth_A_.size()) out += shares_[k] * smooth_A_[held[k]];
   return out;
 }
 
 double LiveMolecule::pulledBy_A() const {
-  return scene_.pulled().empty() ? 0.0 : glm::distance(heldCentre_A(), taken_at_A_);
+  return scene_.pull().atoms().empty() ? 0.0 : glm::distance(heldCentre_A(), taken_at_A_);
 }
 
 std::string LiveMolecule::heldText() const {
-  const std::vector<std::uint32_t>& held = scene_.pulled();
+  const std::vector<std::uint32_t>& held = scene_.pull().atoms();
   if (held.empty() || !molecule_) return {};
   if (hold_ == Hold::Selection) return trnf("{0} atom", "{0} atoms", held.size(), held.size());
   return hold_ == Hold::Residue ? molecule_->words(held[0]).residue : molecule_->describe(held[0]);
@@ -353,7 +356,7 @@ void LiveMolecule::beforeTicks() {
   if (std::optional<Expected<Opened>> opened = opening_.take()) take(*std::move(opened));
   if (!simulation_ || scene_.stage().molecule != molecule_) return;
   if (std::string why = unavailable(); !why.empty()) {
-    turn(false);
+    end();
     messages_.notice(std::move(why));
     return;
   }
@@ -414,7 +417,7 @@ void LiveMolecule::readFrame(double dt_s) {
 
 // The force on the hand ends before anything else: the atoms return to their places, where the hand begins outside.
 void LiveMolecule::lose(std::string why) {
-  scene_.pull({});
+  scene_.pull().hold({});
   scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
   forget();
   // connect() begins again with this molecule.

@@ -53,8 +53,7 @@ class LiveMolecule : public AtomMover {
   void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
 
   bool on() const { return on_; }
-  void turn(bool on);
-  void end() override { turn(false); }
+  void end() override;
   /// Whether a system lies beside the molecule, or the lesson or the command line names one.
   bool offered() const { return on_ || address() || !system().empty(); }
   /// Where another program simulates this molecule; nothing: this program simulates it.
@@ -65,8 +64,7 @@ class LiveMolecule : public AtomMover {
   void connect();
   /// Whether speed, temperature, single steps, relaxations and restarts have an effect.
   bool obeysAll() const { return simulation_ && simulation_->obeysAll(); }
-  /// Why it cannot be simulated in this scene, as a sentence; empty if it can.
-  std::string unavailable() const;
+  std::string unavailable() const override;
   bool opening() const { return opening_.busy() || (simulation_ && simulation_->opening()); }
   bool ready() const { return simulation_ && !simulation_->opening(); }
   const std::string& problem() const { return problem_; }
@@ -111,6 +109,7 @@ class LiveMolecule : public AtomMover {
   static Expected<Opened> openAddress(const SimulationAddress& address, const std::shared_ptr<const Molecule>& molecule,
                                       const std::shared_ptr<const std::atomic<bool>>& cancelled);
   std::filesystem::path system() const;
+  void onStart() override;
   void forget();
   void forgetConnection() {
     if (cancelled_) cancelled_->store(true, std::memory_order_relaxed);

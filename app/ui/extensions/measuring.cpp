@@ -13,7 +13,7 @@ std::optional<std::uint32_t> atomAt(const HapticSession& scene, glm::dvec2 px, g
   const Vec3 along = rays.direction(px);
   const double far_A = glm::distance(rays.eye_A, stage.middle.A) + 2.0 * stage.reach_A;
   double from_A = 0.0;
-  if (const auto& cut = scene.look.cut) {  // skip what is cut away
+  if (const auto& cut = scene.look.atoms.cut) {  // skip what is cut away
     const double beyond_A = glm::dot(cut->normal, rays.eye_A) - cut->offset_A, toward = -glm::dot(cut->normal, along);
     if (beyond_A > 0.0 && toward <= 0.0) return std::nullopt;
     if (beyond_A > 0.0) from_A = beyond_A / toward;

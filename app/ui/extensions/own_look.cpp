@@ -99,14 +99,14 @@ void OwnLook::show(HapticSession& scene) {
   for (std::size_t k = 0; k < kKeys; ++k)
     if (!trimmed(values[k]).empty()) kTable[k].take(*read(k, values[k]), spec);
   const AtomsLook written = looksOf(spec, *molecule, true);
-  if (!spec.styles.empty()) scene.look.styles = written.styles;
+  if (!spec.styles.empty()) scene.look.atoms.styles = written.styles;
   if (!spec.colour.empty()) {
-    scene.look.colouring = written.colouring;
-    scene.colour_by = colourBy(spec);
+    scene.look.atoms.colouring = written.colouring;
+    scene.look.colour_by = colourBy(spec);
   }
-  scene.look.hidden = written.hidden;
-  scene.look.marks = written.marks;
-  scene.look.annotations = annotationsOf(spec, *molecule);
+  scene.look.atoms.hidden = written.hidden;
+  scene.look.atoms.marks = written.marks;
+  scene.look.atoms.annotations = annotationsOf(spec, *molecule);
 }
 
 void OwnLook::sceneChanged() {

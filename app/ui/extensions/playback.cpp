@@ -80,7 +80,7 @@ void Playback::close(bool back) {
   if (!on()) return;
   timeline_.reset();
   running_ = false;
-  scene_.showSample(std::nullopt);
+  scene_.playedHand().show(std::nullopt);
   body_.release();
   motion_.release();
   recorder_.pause(false);
@@ -215,7 +215,7 @@ void Playback::showHand() {
     sample.probe_A = stage->touch.probe_A;
     sample.time_s = at_s_;
   }
-  scene_.showSample(sample);
+  scene_.playedHand().show(sample);
 }
 
 void Playback::showView() {

@@ -6,7 +6,6 @@
 #include <exception>
 
 #include "app/ui/application/application_options.h"
-#include "app/ui/extensions/atom_movers.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/haptics/field/force_choices.h"
@@ -72,7 +71,7 @@ void PlayedTrajectory::forget() {
   surveying_.drop();
   store_.reset();
   survey_.reset();
-  scene_.setFluctuation_A({});
+  scene_.look.fluctuation_A.clear();
   painted_.reset();
   survey_begun_ = warned_ = false;
   molecule_.reset();
@@ -99,7 +98,7 @@ void PlayedTrajectory::sceneChanged() {
     // What a lesson began ends with it, and a file's frames with its molecule.
     if (by_lesson_ || (molecule_ && scene_.stage().molecule != molecule_)) forget();
     by_lesson_ = false;
-    if (store_) start();
+    if (store_) started_ = false;
     return;
   }
   const TrajectorySpec& spec = session->scene().trajectory;
@@ -120,7 +119,7 @@ void PlayedTrajectory::sceneChanged() {
   at_ = double(first_);
   direction_ = 1;
   seek_.reset();
-  start();
+  started_ = false;
 }
 
 bool PlayedTrajectory::open(FileKind kind, const fs::path& file) {
@@ -134,14 +133,20 @@ bool PlayedTrajectory::open(FileKind kind, const fs::path& file) {
         tr("A trajectory holds no description of its atoms. Open the structure first, and then the trajectory."));
     return true;
   }
-  if (forceChoice(scene_.touch().forces).any()) {
-    messages_.error(tr("Forces between atoms act in a molecule at rest. Switch them off to play a trajectory."));
+  if (!start()) {
+    messages_.error(unavailable());
     return true;
   }
-  if (movers_) movers_->endOthers(*this);
   begin(file, {}, {});
   running_ = false;
   return true;
+}
+
+std::string PlayedTrajectory::unavailable() const {
+  if (std::string why = AtomMover::unavailable(); !why.empty()) return why;
+  if (forceChoice(scene_.touch().forces).any())
+    return tr("Forces between atoms act in a molecule at rest. Switch them off to play a trajectory.");
+  return {};
 }
 
 void PlayedTrajectory::begin(const fs::path& file, const FrameFit& fit, std::string fit_text) {
@@ -172,7 +177,7 @@ void PlayedTrajectory::takeOpened(Expected<Reading> opened) {
   store_ = opened->store;
   format_ = store_->file().format();
   take(*std::move(opened));
-  start();
+  started_ = false;
 }
 
 void PlayedTrajectory::take(Reading reading) {
@@ -190,12 +195,6 @@ void PlayedTrajectory::take(Reading reading) {
     warned_ = true;
     messages_.warning(reading.warnings.front());
   }
-}
-
-// The scene begins at its first frame.
-void PlayedTrajectory::start() {
-  started_ = false;
-  if (!store_) return;
 }
 
 std::vector<std::size_t> PlayedTrajectory::needed() const {
@@ -313,9 +312,9 @@ bool PlayedTrajectory::seek() {
 
 // Where the atoms have the colours of their fluctuation, these follow when the survey is done.
 void PlayedTrajectory::paintFluctuation() {
-  std::shared_ptr<const Colouring>& shown = scene_.look.colouring;
+  std::shared_ptr<const Colouring>& shown = scene_.look.atoms.colouring;
   if (!shown || shown->scheme != kFluctuation || shown == painted_ || !survey()) return;
-  shown = painted_ = scene_.colouring(kFluctuation);
+  shown = painted_ = scene_.look.colouring(kFluctuation);
 }
 
 void PlayedTrajectory::beforeTicks() {
@@ -324,7 +323,7 @@ void PlayedTrajectory::beforeTicks() {
   if (std::optional<Expected<TrajectorySurvey>> surveyed = surveying_.take()) {
     if (*surveyed) {
       survey_ = **std::move(surveyed);
-      scene_.setFluctuation_A(survey_->fluctuation_A);
+      scene_.look.fluctuation_A = survey_->fluctuation_A;
     } else {
       messages_.error(surveyed->problem().text());
     }
@@ -336,7 +335,7 @@ void PlayedTrajectory::beforeTicks() {
   }
   request();
   paintFluctuation();
-  if (shown_ && !scene_.playing()) shown_.reset();
+  if (shown_ && !scene_.playedHand().on()) shown_.reset();
   if (shown_) return;  // a playback moves the atoms
   if (!started_) {
     if (!complete_ && first_ >= frames_) return;  // it is still being searched

@@ -78,6 +78,7 @@ class PlayedTrajectory : public AtomMover {
   /// Ends the trajectory: the atoms return to their places.
   void close();
   void end() override { close(); }
+  std::string unavailable() const override;
 
  private:
   struct Placed {
@@ -102,7 +103,6 @@ class PlayedTrajectory : public AtomMover {
   void takeOpened(Expected<Reading> opened);
   void take(Reading reading);
   void request();
-  void start();
   std::vector<std::size_t> needed() const;
   // The positions at a place between frames; empty until both frames have been read.
   std::optional<std::vector<Sphere>> spheresAt(double at) const;

@@ -78,7 +78,7 @@ std::optional<std::vector<float>> PotentialColours::advance() {
 
 void PotentialColours::beforeTicks() {
   std::erase_if(dropped_, [](const auto& job) { return potentialReady(job->found); });
-  std::shared_ptr<const Colouring>& shown = scene_.look.colouring;
+  std::shared_ptr<const Colouring>& shown = scene_.look.atoms.colouring;
   if (!scene_.stage() || !shown || !shown->pending) {
     // What is known serves as long as its molecule is on the stage.
     if (known_.molecule && known_.molecule != scene_.stage().molecule) known_ = {}, colours_ = nullptr;

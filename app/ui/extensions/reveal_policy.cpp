@@ -21,7 +21,7 @@ void RevealPolicy::beforeTicks() {
   followScene();
   const bool dark = stager_.dark();
   if (std::exchange(dark_, dark) && !dark) show(true);
-  unseen_ = dark || (lesson_.session() && lesson_.onStage() && scene_.drawsNothing());
+  unseen_ = dark || (lesson_.session() && lesson_.onStage() && scene_.look.drawsNothing());
 }
 
 void RevealPolicy::stepChanged() {
@@ -66,7 +66,7 @@ void RevealPolicy::followScene() {
 
 void RevealPolicy::hide(const AtomList& before, const AtomList& now) {
   lesson_.hide(now);
-  if (scene_.look.hidden == before) scene_.look.hidden = now;
+  if (scene_.look.atoms.hidden == before) scene_.look.atoms.hidden = now;
 }
 
 void RevealPolicy::show(bool dark_before) {
@@ -77,7 +77,7 @@ void RevealPolicy::show(bool dark_before) {
 }
 
 bool RevealPolicy::names(const Contact& contact) const {
-  return !stager_.dark() && !stager_.asksWhat() && !scene_.touchesUnseen(contact);
+  return !stager_.dark() && !stager_.asksWhat() && !scene_.look.touchesUnseen(contact);
 }
 
 bool RevealPolicy::hidesTouch() const {
@@ -90,7 +90,7 @@ bool RevealPolicy::hidesTouch() const {
 bool RevealPolicy::tellsEnergy() const {
   if (stager_.asksWhat()) return false;
   if (stager_.dark()) return stager_.showsForce();
-  return !unseen_ || scene_.shown.has(ViewPart::Force);
+  return !unseen_ || scene_.look.shown.has(ViewPart::Force);
 }
 
 const char* RevealPolicy::touchWord() const {
@@ -103,8 +103,8 @@ std::string RevealPolicy::unnamedText(bool spoken) const {
   const ServoSample& now = scene_.log().latest();
   std::string out =
       hidesTouch() ? std::string(touchWord()) : unnamedContactText(now.contact, now.felt(), now.holds_body);
-  const Vec3 push = scene_.pushInView();
-  const bool shows_force = stager_.dark() ? stager_.showsForce() : scene_.shown.has(ViewPart::Force);
+  const Vec3 push = pushInView(scene_);
+  const bool shows_force = stager_.dark() ? stager_.showsForce() : scene_.look.shown.has(ViewPart::Force);
   if (!now.felt() || !shows_force || push == Vec3(0.0)) return out;
   if (!spoken) out += ", " + quantityText(scene_.log().shownForce_N(), Dimension::Force, decimals(1));
   return out + ", " + pushText(push);
@@ -131,7 +131,7 @@ TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s)
 }
 
 ViewPartSet RevealPolicy::shownParts() const {
-  ViewPartSet out = scene_.shown;
+  ViewPartSet out = scene_.look.shown;
   if (names(scene_.log().latest().contact)) return out;
   for (const ViewPart part :
        {ViewPart::Spheres, ViewPart::Circles, ViewPart::Points, ViewPart::Cones, ViewPart::Facets})

@@ -7,7 +7,7 @@
 namespace moltact {
 
 SceneHistory::Choices SceneHistory::choices() const {
-  return {scene_.touch(), scene_.fit().by_hand, scene_.shown, scene_.look, scene_.colour_by};
+  return {scene_.touch(), scene_.view().fit.by_hand, scene_.look.shown, scene_.look.atoms, scene_.look.colour_by};
 }
 
 bool SceneHistory::Choices::operator==(const Choices& other) const {
@@ -20,11 +20,11 @@ bool SceneHistory::Choices::operator==(const Choices& other) const {
 
 void SceneHistory::apply(const Choices& c, const std::optional<Camera>& camera) {
   scene_.setTouch(c.touch);
-  scene_.shown = c.shown;
-  scene_.look = c.look;
-  scene_.colour_by = c.colour_by;
+  scene_.look.shown = c.shown;
+  scene_.look.atoms = c.look;
+  scene_.look.colour_by = c.colour_by;
   const Camera seen = scene_.camera;
-  scene_.magnify(c.magnified);
+  scene_.view().magnify(c.magnified);
   if (camera) {
     scene_.camera = *camera;
     change_.glide(seen);

@@ -17,7 +17,7 @@ namespace moltact {
 SurfaceScan::SurfaceScan(HapticSession& scene, const LessonGuide& lesson, Messages& messages, const FrameTime& time)
     : scene_(scene), lesson_(lesson), messages_(messages), time_(time) {}
 
-bool SurfaceScan::touching() const { return field_ && scene_.touchedField() == field_; }
+bool SurfaceScan::touching() const { return field_ && scene_.scanned().field() == field_; }
 
 void SurfaceScan::forget() {
   touch(false);
@@ -68,7 +68,7 @@ void SurfaceScan::scan(double tip_A) {
 
 void SurfaceScan::touch(bool surface) {
   if (surface == touching() || (surface && !field_)) return;
-  if (!surface) return scene_.touchField(nullptr);
+  if (!surface) return scene_.scanned().touch(nullptr);
   // The surface is that of spheres which are larger by the tip and lower by its radius; the substrate is nearly flat.
   constexpr double kFlat_A = 1e5;
   const ScanSetup& setup = tip_->setup();
@@ -81,7 +81,7 @@ void SurfaceScan::touch(bool surface) {
       like.push_back({atoms[i].centre_A - setup.tip_A * up, std::max(0.0, atoms[i].radius_A + setup.tip_A - probe_A)});
   const Vec3 middle = field_->frame.toMolecule({0.5 * field_->width_A(), 0.5 * field_->depth_A(), 0.0});
   like.push_back({middle - (kFlat_A + probe_A) * up, kFlat_A});
-  scene_.touchField(field_, std::make_shared<const SphereGrid>(std::move(like)));
+  scene_.scanned().touch(field_, std::make_shared<const SphereGrid>(std::move(like)));
 }
 
 void SurfaceScan::beforeTicks() {

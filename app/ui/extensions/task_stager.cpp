@@ -35,7 +35,7 @@ void TaskStager::beforeTicks() {
   scene_.controls.letGo();
   // A device's hand finds no place in the dark: what it holds comes to it.
   if (!wanted.in_hand.empty() && wanted.body_begins && scene_.servo().deviceLeads())
-    scene_.holdAt({*wanted.body_begins, wanted.body_turned.value_or(kNoRotation)});
+    scene_.view().holdAt({*wanted.body_begins, wanted.body_turned.value_or(kNoRotation)});
 }
 
 // Not while the hand presses, because the place would move away from it.

@@ -86,12 +86,12 @@ void TouchSound::hear(double for_s) {
 // An attempt has a sample in 1/60 s at most. The contact point's speed is its way between two samples by their time.
 void TouchSound::hearPlayback() {
   constexpr double kStands_s = 0.1;  // without another contact point for this time, it does not slide
-  const bool plays = scene_.playing() && playback_.running();
+  const bool plays = scene_.playedHand().on() && playback_.running();
   if (!plays && std::exchange(hears_playback_, false)) {
     last_A_.reset();
     if (on_) take({});
   }
-  if (!on_ || !scene_.playing()) return;
+  if (!on_ || !scene_.playedHand().on()) return;
   if (plays) {
     const ServoSample& s = scene_.log().latest();
     const bool touches = s.contact.touching(), began = !std::exchange(hears_playback_, true) || !last_A_;

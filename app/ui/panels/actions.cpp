@@ -36,7 +36,7 @@ bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.tabs.shown() ||
 bool maySideTab(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
 
 bool mayMagnify(const App& a) {
-  return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
+  return hasStage(a) && !a.scene.playedHand().on() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
 }
 
 bool mayMeasure(const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }
@@ -67,12 +67,12 @@ void switchTab(App& a, std::string_view tab) {
 
 // The cutting plane faces the viewer in the present orientation of the molecule.
 void switchCut(App& a) {
-  if (a.scene.look.cut) {
-    a.scene.look.cut.reset();
+  if (a.scene.look.atoms.cut) {
+    a.scene.look.atoms.cut.reset();
     return;
   }
   const Vec3 normal = a.scene.camera.back();
-  a.scene.look.cut = CutPlane{normal, glm::dot(normal, a.scene.stage().middle.A)};
+  a.scene.look.atoms.cut = CutPlane{normal, glm::dot(normal, a.scene.stage().middle.A)};
 }
 
 // Copies the view as a line of a scene: "view: turned 30 10 0".
@@ -132,7 +132,7 @@ constexpr std::array kActions{
            .label = N_("Models, waters, assembly …"),
            .sentence = N_("How the molecule's file is read: which model, with its waters, as which assembly"),
            .run = [](App& a) { a.panels.pages.reading = true; },
-           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.scene.playing(); }},
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.scene.playedHand().on(); }},
     Action{.name = "picture",
            .menu = Menu::File,
            .parted = true,
@@ -256,7 +256,7 @@ constexpr std::array kActions{
                .sentence = N_("Cut the molecule open through its middle; Ctrl with the wheel moves the cut"),
                .run = [](App& a) { switchCut(a); },
                .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
-               .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
+               .on = [](const App& a) { return a.scene.look.atoms.cut.has_value(); }},
     // Disabled in a lesson's scene, because names and marks could give away answers.
     Action{.name = "look",
            .menu = Menu::View,
@@ -288,9 +288,9 @@ constexpr std::array kActions{
            .label = N_("Magnify round the probe"),
            .shortcut = "Ctrl+G",
            .sentence = N_("What lies round the probe fills the room of your hand"),
-           .run = [](App& a) { a.scene.magnify(!a.scene.fit().by_hand); },
+           .run = [](App& a) { a.scene.view().magnify(!a.scene.view().fit.by_hand); },
            .enabled = mayMagnify,
-           .on = [](const App& a) { return a.scene.fit().by_hand; }},
+           .on = [](const App& a) { return a.scene.view().fit.by_hand; }},
     Action{.name = "depth",
            .menu = Menu::View,
            .parted = true,
@@ -334,7 +334,7 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Stop all force"),
            .shortcut = "F9",
-           .run = [](App& a) { a.scene.stopForce(!a.scene.servo_settings.panic); },
+           .run = [](App& a) { a.scene.force().stop(!a.scene.servo_settings.panic); },
            .on = [](const App& a) { return a.scene.servo_settings.panic; },
            .while_writing = true},
     Action{.name = "light",

@@ -22,7 +22,7 @@ constexpr float kWidthShare = 1.0f / 3.0f, kHeightShare = 0.5f;  // shares of th
                                                                  // first
 
 bool namesMarks(const Application& app) {
-  const auto& marks = app.scene.look.marks;
+  const auto& marks = app.scene.look.atoms.marks;
   return marks && std::any_of(marks->begin(), marks->end(), [](const OwnColour& m) { return !m.name.empty(); });
 }
 
@@ -33,18 +33,18 @@ bool holdsCarbon(const TouchableModel& stage) {
 
 // A single element in its customary colour needs no legend.
 std::vector<LegendEntry> entriesOf(Application& app) {
-  const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(app.scene.stage().molecule, app.scene.colour_by,
-                                                                   elementColoursOf(app.settings), app.scene.look);
+  const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(
+      app.scene.stage().molecule, app.scene.look.colour_by, elementColoursOf(app.settings), app.scene.look.atoms);
   const bool painted = app.extensions().touch_paint.painted() != nullptr;
-  if (of_atoms.size() < 2 && !app.settings.colour_blind_safe && app.scene.colour_by != ColourBy::Chain &&
-      !app.scene.look.colouring && !painted && !namesMarks(app))
+  if (of_atoms.size() < 2 && !app.settings.colour_blind_safe && app.scene.look.colour_by != ColourBy::Chain &&
+      !app.scene.look.atoms.colouring && !painted && !namesMarks(app))
     return {};
   std::vector<LegendEntry> entries = of_atoms;
   if (holdsCarbon(app.scene.stage())) entries.push_back({look().viewTheme().probe, tr("carbon in your hand")});
   if (painted) entries.push_back({look().viewTheme().touched, tr("touched")});
   ViewScene marks;
   app.lesson.decorate(marks);
-  if (!marks.highlighted.empty() && app.scene.shown.has(ViewPart::Target))
+  if (!marks.highlighted.empty() && app.scene.look.shown.has(ViewPart::Target))
     entries.push_back({look().viewTheme().target, tr("marked")});
   return entries;
 }
@@ -79,7 +79,7 @@ float drawLine(Application& app, ImVec2 low) {
 
 void drawColourLegend(Application& app, ViewRoom& room) {
   const Rectangle &view = room.view, &kept_free = room.slider;
-  if (!app.settings.legend || !app.scene.shown.has(ViewPart::Atoms)) return;
+  if (!app.settings.legend || !app.scene.look.shown.has(ViewPart::Atoms)) return;
   std::vector<LegendEntry> entries = entriesOf(app);
   if (entries.empty()) return;
   const Look& l = look();

@@ -86,7 +86,7 @@ void drawDarkView(Application& app, const Rectangle& view) {
               radius = std::min(l.px(78), 0.25f * std::min(view.size().x, view.size().y));
   float below = middle.y;
   if (app.extensions().task_stager.showsForce()) {
-    const Vec3 push = app.scene.pushInView();
+    const Vec3 push = pushInView(app.scene);
     drawMeter(log.force_N(), app.scene.servo_settings.max_force_N, middle, radius);
     drawDirection(push, middle, 0.72f * radius);
     below += radius + l.px(22);

@@ -20,7 +20,7 @@ void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px) {
   const ServoSample& now = app.scene.log().latest();
   const double depth_A = now.contact.depth_A();
   // A body has several contacts and no single depth.
-  if (!app.settings.depth_gauge || app.scene.stage().body || !app.scene.shown.has(ViewPart::Hip) ||
+  if (!app.settings.depth_gauge || app.scene.stage().body || !app.scene.look.shown.has(ViewPart::Hip) ||
       !now.contact.touching() || !(depth_A > 0.0) || !std::isfinite(depth_A))
     return;
   const Look& l = look();

@@ -34,7 +34,7 @@ void drawStop(Application& app, DeviceLink& link) {
   const bool panic = app.scene.servo_settings.panic;
   if (button("device/stop", panic ? tr("Allow force again (F9)") : tr("Stop all force (F9)"),
              panic ? ButtonLook::Primary : ButtonLook::Plain))
-    app.scene.stopForce(!panic);
+    app.scene.force().stop(!panic);
   std::string acted;
   for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "" : ", ") + std::string(tr(one->name));
   ImGui::SameLine(0, look().px(12));
@@ -187,9 +187,9 @@ void drawLive(Application& app, DeviceLink& link) {
   }
   const bool trying = link.tryingLeft_s() > 0.0;
   if (button("device/try", trying ? tr("Pulling to the right …") : tr("Try a gentle force"), ButtonLook::Plain, 0.0f,
-             !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
+             !trying && link.status().ready && !app.scene.playedHand().on() && !app.scene.servo_settings.panic))
     link.tryForce();
-  tip(app.scene.playing()
+  tip(app.scene.playedHand().on()
           ? tr("Not while a recorded hand is shown or the device changes hands.")
           : trf("Pulls to the right with {0} for four seconds, growing slowly. Hold the stylus lightly.",
                 quantityText(DeviceLink::kTry_N, Dimension::Force, decimals(1)))
@@ -232,7 +232,7 @@ void drawRecording(Application& app) {
           p.text);
     if (button("device/record", tr("Stop playing"), ButtonLook::Primary)) recorder.endPlay();
   } else {
-    const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
+    const bool may = app.scene.stage() && !app.scene.playedHand().on() && !app.scene.force().trying();
     if (button("device/record", tr("Record …"), ButtonLook::Plain, 0.0f, may)) {
       app.panels.pages.device = false;  // one page at a time
       recorder.askToRecord();

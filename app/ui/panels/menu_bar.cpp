@@ -70,10 +70,10 @@ void shapesMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/shapes", tr("Shapes"), !app.panels.pages.welcome && !app.lesson.locks("show")))
     return;
   for (const ViewPartInfo& part : viewParts()) {
-    const bool on = app.scene.shown.has(part.part);
+    const bool on = app.scene.look.shown.has(part.part);
     if (part.expert && !on && !app.settings.expert) continue;
     if (item("menu/view/shapes/" + std::string(part.name), part.shownLabel(), nullptr, on))
-      app.scene.shown.set(part.part, !on);
+      app.scene.look.shown.set(part.part, !on);
   }
   ImGui::EndMenu();
 }
@@ -107,28 +107,28 @@ void styleMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.pages.welcome && !app.lesson.locks("show")))
     return;
   for (const DrawStyleInfo& style : drawStyles()) {
-    const std::vector<StyledAtoms>& now = app.scene.look.styles;
+    const std::vector<StyledAtoms>& now = app.scene.look.atoms.styles;
     const bool on = now.empty() ? style.style == DrawStyle::Spheres
                                 : now[0].style == style.style && (now.size() == 1 || showsWhatIsBound(now));
     if (item("menu/view/style/" + std::string(style.name), style.shownLabel(), nullptr, on))
-      app.scene.look.styles = stylesOf(style.style, app.scene.stage().molecule.get());
+      app.scene.look.atoms.styles = stylesOf(style.style, app.scene.stage().molecule.get());
   }
   ImGui::EndMenu();
 }
 
 void colourMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/colours", tr("Colours"), app.scene.stage() && !app.lesson.locks("show"))) return;
-  const Colouring* const now = app.scene.look.colouring.get();
+  const Colouring* const now = app.scene.look.atoms.colouring.get();
   for (const ColouringScheme& scheme : colouringSchemes()) {
     // In a lesson's scene, charge, hydrophobicity and others could give away answers.
     const bool plain = scheme.name == "element" || scheme.name == "chain";
     if (!plain && app.lesson.onStage()) continue;
     SceneSpec asked;
     asked.colour = scheme.name;
-    const bool on = now ? now->scheme == scheme.name : plain && colourBy(asked) == app.scene.colour_by;
+    const bool on = now ? now->scheme == scheme.name : plain && colourBy(asked) == app.scene.look.colour_by;
     if (item("menu/view/colours/" + std::string(scheme.name), scheme.shownLabel(), nullptr, on)) {
-      app.scene.colour_by = colourBy(asked);
-      app.scene.look.colouring = app.scene.colouring(asked.colour);
+      app.scene.look.colour_by = colourBy(asked);
+      app.scene.look.atoms.colouring = app.scene.look.colouring(asked.colour);
     }
   }
   ImGui::EndMenu();

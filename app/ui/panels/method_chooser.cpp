@@ -55,7 +55,7 @@ const Method* middleOf(const std::vector<const Method*>& among) {
 }  // namespace
 
 void drawMethodChooser(Application& app) {
-  const Method* now = findMethod(app.scene.method());
+  const Method* now = findMethod(app.scene.touch().method);
   if (!now) return;
   std::vector<const Method*> among;
   for (const Method& m : methods()) among.push_back(&m);
@@ -81,7 +81,7 @@ void drawMethodChooser(Application& app) {
     ImGui::PopTextWrapPos();
     recordItem("method/sentence", text);
   }
-  if (next) app.scene.useMethod(next->name);
+  if (next) useMethod(app.scene, next->name);
 }
 
 }  // namespace moltact

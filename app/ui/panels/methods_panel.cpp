@@ -13,12 +13,12 @@ namespace moltact {
 
 void drawMethodsTab(Application& app) {
   drawMethodChooser(app);
-  if (feltFacets(app.scene.method())) {
+  if (feltFacets(app.scene.touch().method)) {
     const WhileLocked locked(app, "show");
-    bool on = app.scene.shown.has(ViewPart::Facets);
+    bool on = app.scene.look.shown.has(ViewPart::Facets);
     if (toggle("show/facets", tr("Draw the triangles"), on,
                tr("The triangles that the method feels, round the probe.")))
-      app.scene.shown.set(ViewPart::Facets, on);
+      app.scene.look.shown.set(ViewPart::Facets, on);
   }
   plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
        {.title = tr("Force"), .min_top = 1.0f, .height = 50.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
@@ -27,9 +27,9 @@ void drawMethodsTab(Application& app) {
         .min_top = 2.0f,
         .height = 50.0f,
         .shown_as = {Dimension::Angle, {decimals(1), {}}}});
-  const MethodRecord* record = app.scene.watch().find(app.scene.method());
+  const MethodRecord* record = app.scene.watch().find(app.scene.touch().method);
   tickHistogram("plot/times", record, 56.0f);
-  speedAccuracyChart("plot/tradeoff", app.scene.watch(), app.scene.method(), 140.0f);
+  speedAccuracyChart("plot/tradeoff", app.scene.watch(), app.scene.touch().method, 140.0f);
 }
 
 }  // namespace moltact

@@ -1,81 +1,13 @@
-// A tab beside the view, on request. It switches whether the molecule yields to the hand as an elastic network, and
-// lists the network's modes, each shown as a movement or felt alone.
-#include <imgui.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include "app/ui/application/application.h"
-#include "app/ui/extensions/elastic_molecule.h"
-#include "app/ui/extensions/extensions.h"
-#include "app/ui/panels/simulation_section.h"
-#include "app/ui/panels/trajectory_section.h"
-#include "app/ui/panels/while_locked.h"
-#include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/rich_text.h"
-#include "app/ui/widgets/theme.h"
-#include "app/ui/widgets/widget_map.h"
-#include "engine/language/catalogue.h"
-#include "engine/language/quantity_text.h"
+// The tab Motion beside the view, on request: what moves the atoms, with a section for each mover.
+#include "app/ui/panels/motion_sections.h"
 
 namespace moltact {
-namespace {
-
-// The number of the softest modes that are listed.
-constexpr std::size_t kListed = 6;
-
-void drawModes(ElasticMolecule& elastic) {
-  const ElasticModel& model = *elastic.model();
-  ImGui::Spacing();
-  sectionTitle(tr("Its softest motions"));
-  std::size_t mode = elastic.mode();
-  std::vector<std::string> numbers;
-  for (std::size_t k = 0; k < std::min(kListed, model.modes->count()); ++k) numbers.push_back(std::to_string(k + 1));
-  if (segments("modes", numbers, mode)) elastic.chooseMode(mode);
-  // A mode has unit length over all nodes.
-  const double energy = 0.5 * model.modes->eigenvalues[mode] * model.spring_kcal_mol_A2 * double(model.modes->nodes);
-  drawWrapped(
-      "mode/energy",
-      trf("Moving the residues along it by 1 Å (root mean square) takes {0}. Heat gives a motion {1}.",
-          energyBetweenAtoms(energy, significant(2)), energyBetweenAtoms(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
-  bool shown = elastic.modeShown(), alone = elastic.modeAlone();
-  if (toggle("mode/shown", tr("Show this motion"), shown, tr("Moves the molecule to and fro along this motion.")))
-    elastic.showMode(shown);
-  if (toggle("mode/alone", tr("Feel it alone"), alone, tr("The molecule gives way along this motion only.")))
-    elastic.feelModeAlone(alone);
-}
-
-}  // namespace
 
 void drawMotionTab(Application& app) {
-  if (drawTrajectorySection(app) || drawSimulationSection(app)) return;
-  ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
-  if (const std::string why = elastic.unavailable(); !why.empty() && !elastic.on())
-    return drawWrapped("elastic/unavailable", why);
-  {
-    const WhileLocked locked(app, "elastic");
-    bool on = elastic.on();
-    if (toggle("elastic", tr("Elastic molecule"), on,
-               tr("The molecule gives way where it is pushed, and springs back. Springs join residues that are nearer "
-                  "than 15 Å.")))
-      elastic.turn(on);
-  }
-  if (!elastic.on()) return;
-  if (elastic.computing()) return drawWrapped("elastic/computing", tr("The springs are being computed."));
-  if (!elastic.model()) return drawWrapped("elastic/problem", elastic.problem());
-  drawWrapped("elastic/displacement", trf("Greatest displacement: {0}",
-                                          quantityText(elastic.maxDisplacement_A(), Dimension::Length, decimals(1))));
-  drawWrapped("elastic/energy",
-              trf("Energy of the springs: {0}", energyBetweenAtoms(elastic.energy_kcal_mol(), decimals(2))));
-  drawWrapped("elastic/scale", trf("1 N in the hand is {0} pN between the atoms.",
-                                   numberText(ElasticMolecule::kScale_pN_per_N, decimals(0))));
-  const std::string spring = numberText(elastic.model()->spring_kcal_mol_A2, significant(2));
-  drawWrapped("elastic/springs",
-              elastic.model()->spring_assumed
-                  ? trf("Each spring: {0} kcal/mol/Å², assumed, because the file has no B factors.", spring)
-                  : trf("Each spring: {0} kcal/mol/Å², which gives the mean B factor of the file.", spring));
-  drawModes(elastic);
+#define MOLTACT_DRAW(Mover) \
+  if (draw##Mover##Section(app)) return;
+  MOLTACT_ATOM_MOVERS(MOLTACT_DRAW)
+#undef MOLTACT_DRAW
 }
 
 }  // namespace moltact

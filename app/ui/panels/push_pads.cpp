@@ -31,7 +31,8 @@ void drawPad(const char* name, ImVec2 low, float size, bool harder) {
 }  // namespace
 
 Rectangle pushPadsPlace(const Application& app, const Rectangle& view) {
-  if (!app.panels.window.fingers || !app.scene.stage() || app.scene.playing() || app.scene.servo().deviceLeads())
+  if (!app.panels.window.fingers || !app.scene.stage() || app.scene.playedHand().on() ||
+      app.scene.servo().deviceLeads())
     return {};
   const Look& l = look();
   const float size = l.px(kSize), gap = l.px(kGap), margin = l.px(14);

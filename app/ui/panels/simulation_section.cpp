@@ -1,5 +1,4 @@
-#include "app/ui/panels/simulation_section.h"
-
+// The part of the tab Motion about a simulation: its switch, its clock, its heat bath, its plots.
 #include <imgui.h>
 
 #include <array>
@@ -8,6 +7,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/live_molecule.h"
+#include "app/ui/panels/motion_sections.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
@@ -110,7 +110,7 @@ void drawPlots(const LiveMolecule& live) {
 
 }  // namespace
 
-bool drawSimulationSection(Application& app) {
+bool drawLiveMoleculeSection(Application& app) {
   LiveMolecule& live = app.extensions().movers.get<LiveMolecule>();
   if (!live.offered()) return false;
   if (const std::string why = live.unavailable(); !why.empty() && !live.on()) {
@@ -124,8 +124,10 @@ bool drawSimulationSection(Application& app) {
     bool on = live.on();
     if (toggle("simulation", tr("Simulation"), on,
                tr("The atoms move according to the forces between them and a heat bath, and the hand pushes them."))) {
-      if (on) app.extensions().movers.endOthers(live);
-      live.turn(on);
+      if (on)
+        live.start();
+      else
+        live.end();
     }
   }
   if (!live.on()) return false;

@@ -1,4 +1,5 @@
-// At the top of the view for a scene with two structures: a slider between them, and a button for each.
+// At the top of the view for a scene with two structures: a slider between them, and a button for each. The tab Motion
+// says so.
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,14 +8,22 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/moving_states.h"
+#include "app/ui/panels/motion_sections.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
+
+bool drawMovingStatesSection(Application& app) {
+  const std::string why = app.extensions().movers.get<MovingStates>().unavailable();
+  if (!why.empty()) drawWrapped("states/slider", why);
+  return !why.empty();
+}
 
 Rectangle drawStateSlider(Application& app, const Rectangle& view) {
   MovingStates& states = app.extensions().movers.get<MovingStates>();

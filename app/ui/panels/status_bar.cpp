@@ -66,14 +66,14 @@ Segment loopSegment(const Application& app) {
 // molecule's default.
 std::optional<Segment> scaleSegment(const Application& app) {
   const HapticSession& scene = app.scene;
-  const bool magnified = scene.fit().magnification(scene.servo_settings.workspace) > 1.005;
+  const bool magnified = scene.view().fit.magnification(scene.servo_settings.workspace) > 1.005;
   if (!scene.stage() || !(scene.servo().loop().device() || magnified)) return {};
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence;
   if (text.ends_with('.')) text.pop_back();
   if (magnified)
     text = trf("{0}, magnified {1} times", text,
-               numberText(scene.fit().magnification(scene.servo_settings.workspace), decimals(1)));
+               numberText(scene.view().fit.magnification(scene.servo_settings.workspace), decimals(1)));
   return Segment{"status/scale", text, scale.reason, 2, magnified ? look().palette.accent : 0};
 }
 
@@ -116,11 +116,11 @@ void drawStatusBar(Application& app) {
   const bool expert = app.settings.expert || app.panels.tabs.has("methods");
   if (!policy.all() && expert) segments.push_back(loopSegment(app));
   // A molecule that is not drawn is not named.
-  if (app.scene.stage() && !policy.all() && !app.scene.drawsNothing()) {
+  if (app.scene.stage() && !policy.all() && !app.scene.look.drawsNothing()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(
         {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});
-    if (!app.scene.playing() && expert)
+    if (!app.scene.playedHand().on() && expert)
       segments.push_back(
           {"status/modelled",
            trf("{0} of {1} atoms modelled", grouped(now.memory_usage.atoms_modelled), grouped(m.atoms.size())),

@@ -59,11 +59,11 @@ void drawPartSwitches(Application& app) {
   const WhileLocked locked(app, "show");
   for (const ViewPartInfo& part : viewParts()) {
     if (!part.haptic) continue;  // the others are in the View menu
-    if (part.part == ViewPart::Facets && !feltFacets(app.scene.method())) continue;
-    bool on = app.scene.shown.has(part.part);
+    if (part.part == ViewPart::Facets && !feltFacets(app.scene.touch().method)) continue;
+    bool on = app.scene.look.shown.has(part.part);
     if (part.expert && !on && !app.settings.expert) continue;
     if (toggle(("show/" + std::string(part.name)).c_str(), part.shownLabel(), on, tr(part.sentence)))
-      app.scene.shown.set(part.part, on);
+      app.scene.look.shown.set(part.part, on);
   }
 }
 

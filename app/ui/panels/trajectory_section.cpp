@@ -1,5 +1,4 @@
-#include "app/ui/panels/trajectory_section.h"
-
+// The part of the tab Motion about a trajectory.
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/played_trajectory.h"
+#include "app/ui/panels/motion_sections.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
@@ -34,7 +34,7 @@ void drawRmsd(PlayedTrajectory& trajectory, const TrajectorySurvey& survey) {
 
 }  // namespace
 
-bool drawTrajectorySection(Application& app) {
+bool drawPlayedTrajectorySection(Application& app) {
   PlayedTrajectory& trajectory = app.extensions().movers.get<PlayedTrajectory>();
   if (!trajectory.ready()) return false;
   sectionTitle(tr("Trajectory"));

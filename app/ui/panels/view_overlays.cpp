@@ -149,7 +149,7 @@ const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body
 bool wantsPushHint(const Application& app) {
   constexpr double kAtRest_s = 1.2;
   const ViewControls& controls = app.scene.controls;
-  if (app.panels.window.fingers || app.scene.playing() || app.scene.servo().deviceLeads() ||
+  if (app.panels.window.fingers || app.scene.playedHand().on() || app.scene.servo().deviceLeads() ||
       controls.pressRested_s() < kAtRest_s)
     return false;
   const LessonSession* session = app.lesson.session();
@@ -177,7 +177,7 @@ std::string inPlaceText(const Application& app) {
 void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   constexpr double kSoon_s = 0.25;
   const ViewControls& controls = app.scene.controls;
-  if (!controls.pressesNothing() || controls.pressRested_s() < kSoon_s || app.scene.playing() ||
+  if (!controls.pressesNothing() || controls.pressRested_s() < kSoon_s || app.scene.playedHand().on() ||
       app.scene.servo().deviceLeads() || app.scene.log().felt())
     return;
   const Look& l = look();
@@ -201,7 +201,7 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
 }  // namespace
 
 bool mayNameAtoms(const Application& app) {
-  if (app.extensions().task_stager.dark() || app.extensions().reveal_policy.all() || app.scene.playing() ||
+  if (app.extensions().task_stager.dark() || app.extensions().reveal_policy.all() || app.scene.playedHand().on() ||
       app.extensions().playback.on())
     return false;
   return !app.lesson.session() || !app.lesson.onStage() || app.lesson.session()->stepDone();
@@ -219,7 +219,7 @@ void hoveredAtom(const Application& app, ViewRoom& room) {
   const glm::dvec2 size(room.whole.size());
   if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) return;
   const auto atom = atomAt(app.scene, at, size);
-  const AtomList& hidden = app.scene.look.hidden;
+  const AtomList& hidden = app.scene.look.atoms.hidden;
   if (!atom || (hidden && std::binary_search(hidden->begin(), hidden->end(), *atom))) return;
   const Look& l = look();
   const WithFont small(Font::Small);
@@ -339,7 +339,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
                                 : feltText(app.scene.stage().molecule.get(), now, app.scene.log().shownForce_N()),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
-             hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
+             hint > 0.0f && measured.empty() && !app.scene.playedHand().on() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
                             hintText(app.scene.controls.hasPressed(), app.settings.left_handed,
                                      app.panels.window.fingers, app.scene.stage().body != nullptr),
@@ -366,7 +366,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   drawColourLegend(app, room);
   drawDepthGauge(app, room, roomy ? view.high.y - l.px(64) : above);
   drawEnergyGauge(app, room, roomy ? view.high.y - l.px(64) : above);
-  if (now.felt() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
+  if (now.felt() && app.scene.look.shown.has(ViewPart::Force)) forceLabel(app, now, room);
   emptyPlaceNotice(app, room);
   hoveredAtom(app, room);
 }

@@ -40,8 +40,9 @@ bool pressed(ImGuiKey key, bool repeat = false) { return ImGui::IsKeyPressed(key
 void switchMethod(Application& app, int by) {
   const auto all = methods();
   const auto count = static_cast<std::ptrdiff_t>(all.size());
-  app.scene.useMethod(
-      all[static_cast<std::size_t>((findMethod(app.scene.method()) - all.data() + by + count) % count)].name);
+  useMethod(
+      app.scene,
+      all[static_cast<std::size_t>((findMethod(app.scene.touch().method) - all.data() + by + count) % count)].name);
 }
 
 void readKeys(Application& app, ViewInput& in) {
@@ -52,7 +53,7 @@ void readKeys(Application& app, ViewInput& in) {
     in.hand_keys = arrows();
   else if (io.KeyCtrl && !io.KeyAlt)
     in.orbit_keys = arrows();
-  else if (app.scene.playing())
+  else if (app.scene.playedHand().on())
     return;  // the keys belong to the bar
   else if (io.KeyShift && !io.KeyAlt)
     in.pan_keys = arrows();
@@ -86,7 +87,7 @@ void moveCut(Application& app, double notches) {
   if (keysFree())
     notches +=
         (ImGui::IsKeyDown(ImGuiKey_PageUp) - ImGui::IsKeyDown(ImGuiKey_PageDown)) * (kKeys_per_s / kNotch) * app.dt_s();
-  CutPlane& cut = *app.scene.look.cut;
+  CutPlane& cut = *app.scene.look.atoms.cut;
   const double reach_A = app.scene.stage().reach_A, middle_A = glm::dot(cut.normal, app.scene.stage().middle.A);
   cut.offset_A = std::clamp(cut.offset_A - notches * kNotch * reach_A, middle_A - reach_A, middle_A + reach_A);
 }
@@ -103,7 +104,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const bool turning = !panning && ((active && ImGui::IsMouseDown(turn)) || view_fingers);
   Measuring& tool = app.extensions().measuring;
   const bool measuring = tool.on() && !app.extensions().task_stager.dark();
-  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring;
+  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playedHand().on() && !measuring;
   if (measuring && hovered && ImGui::IsMouseReleased(push) && app.scene.stage() &&
       io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4)) {
     if (const auto atom = atomAt(app.scene, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
@@ -112,8 +113,8 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
       tool.finish();
   }
   // A double click on an atom moves the camera close to it.
-  if (!measuring && !app.extensions().task_stager.dark() && hovered && app.scene.stage() && !app.scene.playing() &&
-      ImGui::IsMouseReleased(push) && io.MouseClickedLastCount[push] == 2 &&
+  if (!measuring && !app.extensions().task_stager.dark() && hovered && app.scene.stage() &&
+      !app.scene.playedHand().on() && ImGui::IsMouseReleased(push) && io.MouseClickedLastCount[push] == 2 &&
       io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4))
     if (const auto atom = atomAt(app.scene, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size)) {
       const std::uint32_t only[] = {*atom};
@@ -125,7 +126,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
   const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.window.fingers) &&
-                          app.scene.servo().loop().hasOrientation() && !app.scene.playing();
+                          app.scene.servo().loop().hasOrientation() && !app.scene.playedHand().on();
   if (turning) (turns_hand ? in.hand_px : in.orbit_px) = drag;
   if (turns_hand && app.panels.window.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
@@ -137,7 +138,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   // If a task changes the stiffness, the hand keeps the depth of its press, so that the change is felt.
   if (app.extensions().task_stager.changesStiffness())
     in.expected_N_per_mm = app.lesson.session()->scene().touch.stiffness_N_per_mm;
-  if (app.scene.look.cut && io.KeyCtrl && !in.press && !app.lesson.locks("show")) {
+  if (app.scene.look.atoms.cut && io.KeyCtrl && !in.press && !app.lesson.locks("show")) {
     moveCut(app, hovered || active ? double(io.MouseWheel) : 0.0);
     return in;
   }
@@ -155,8 +156,8 @@ ViewScene seenScene(const Application& app) {
   scene.shown = app.extensions().reveal_policy.shownParts();
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
-  scene.colour_by = app.scene.colour_by;
-  scene.look = app.scene.look;
+  scene.colour_by = app.scene.look.colour_by;
+  scene.look = app.scene.look.atoms;
   scene.strongest_N = app.scene.servo_settings.max_force_N;
   if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
@@ -187,12 +188,12 @@ ViewScene seenScene(const Application& app) {
   scene.water = app.settings.probe_look != ProbeLook::Sphere;
   scene.hand = app.extensions().hand_model.model();
   scene.left_hand = app.settings.left_handed;
-  scene.facets = feltFacets(app.scene.method());
+  scene.facets = feltFacets(app.scene.touch().method);
   app.lesson.decorate(scene);
   const TouchPaint& paint = app.extensions().touch_paint;
   scene.touched = paint.painted();
   scene.touched_now = paint.fresh();
-  for (const auto& written : {app.extensions().measuring.drawn(), app.scene.look.annotations, paint.trail()})
+  for (const auto& written : {app.extensions().measuring.drawn(), app.scene.look.atoms.annotations, paint.trail()})
     if (written) scene.annotations.push_back(written);
   return scene;
 }
@@ -231,7 +232,7 @@ void drawViewPanel(Application& app) {
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
-  app.scene.controls.update(in, app.scene.camera, app.scene.spheresUnderPointer(), app.scene.servo_settings,
+  app.scene.controls.update(in, app.scene.camera, app.scene.scanned().underPointer(), app.scene.servo_settings,
                             app.scene.log().latest(), app.scene.servo().mouse(), app.scene.stage().body.get());
   if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive()))
     ImGui::SetMouseCursor(ImGuiMouseCursor_None);

@@ -12,7 +12,7 @@ namespace moltact {
 PlayedBody::Held PlayedBody::now() const {
   const TouchableModel& stage = scene_.stage();
   return {scene_.molecule(), stage.spheres->untouchable(),
-          stage.body ? stage.body->atoms : std::vector<std::uint32_t>(), scene_.look.hidden};
+          stage.body ? stage.body->atoms : std::vector<std::uint32_t>(), scene_.look.atoms.hidden};
 }
 
 void PlayedBody::restage(const Held& wanted) {
@@ -20,7 +20,7 @@ void PlayedBody::restage(const Held& wanted) {
   scene_.show(withUntouchable(scene_.atoms().resting(), wanted.untouchable, wanted.held), wanted.molecule,
               [](Camera&, const Molecule&) {});
   scene_.camera = seen;
-  scene_.look.hidden = wanted.hidden;
+  scene_.look.atoms.hidden = wanted.hidden;
 }
 
 void PlayedBody::hold(const std::vector<std::uint32_t>& untouchable, const std::vector<std::uint32_t>& held) {

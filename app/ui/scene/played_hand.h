@@ -4,21 +4,24 @@
 
 #include <optional>
 
-#include "app/ui/scene/touch_log.h"
+#include "app/ui/scene/felt_scene.h"
 
 namespace moltact {
 
 class PlayedHand {
  public:
-  /// Shows this sample from now on; empty: the hand's own again.
-  void show(const std::optional<ServoSample>& sample) { sample_ = sample; }
-  explicit operator bool() const { return sample_.has_value(); }
-  /// Adds the sample to the log once for each tick of the frame; of a frame longer than 0.5 s, for 0.5 s. Requires a
-  /// sample.
-  void addTo(TouchLog& log, double dt_s);
+  explicit PlayedHand(FeltScene& felt) : felt_(felt) {}
+
+  /// Shows this sample from now on: the log contains it, and there is no force. Empty: the hand's own again, from
+  /// outside.
+  void show(const std::optional<ServoSample>& sample);
+  bool on() const { return felt_.played.has_value(); }
+  /// Called once per frame while it is on. Adds the sample to the log once for each tick of the frame; of a frame longer
+  /// than 0.5 s, for 0.5 s.
+  void advance(double dt_s);
 
  private:
-  std::optional<ServoSample> sample_;
+  FeltScene& felt_;
   double owed_s_ = 0.0;
 };
 

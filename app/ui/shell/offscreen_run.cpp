@@ -25,7 +25,7 @@ int runOffscreen(const OffscreenOptions& options) {
   wanted.draws = options.frame_stats ? ScriptedUser::Draws::All : ScriptedUser::Draws::LastInRow;
   wanted.application.language = options.language;
   wanted.application.device = options.device;
-  wanted.application.imd = options.imd;
+  wanted.application.simulation = options.simulation;
   wanted.application.attempts_folder = options.attempts;
   Expected<std::unique_ptr<ScriptedUser>> made = ScriptedUser::create(std::move(wanted));
   if (!made) return fail(made.problem());

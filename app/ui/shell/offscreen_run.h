@@ -14,7 +14,7 @@ struct OffscreenOptions {
   bool frame_stats = false;        ///< print the frame times to stdout
   std::string language;            ///< as in ApplicationOptions
   std::string device;              ///< as in ApplicationOptions
-  std::string imd;                 ///< as in ApplicationOptions
+  std::string simulation;          ///< as in ApplicationOptions
   std::string state_text;          ///< as in WindowOptions
   std::filesystem::path attempts;  ///< folder for the attempts at lessons; empty: attempts are not kept
 };

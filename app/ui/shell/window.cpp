@@ -243,7 +243,7 @@ int runWindow(const WindowOptions& options) {
     Shell shell;
     Application app({.language = options.language,
                      .device = options.device,
-                     .imd = options.imd,
+                     .simulation = options.simulation,
                      .settings_file = settingsFile(),
                      .attempts_folder = attemptsFolder(),
                      .packs_folder = packsFolder(),

@@ -11,7 +11,7 @@ struct WindowOptions {
   bool frame_stats = false;    ///< print the frame times at the end
   std::string language;        ///< as in ApplicationOptions
   std::string device;          ///< as in ApplicationOptions
-  std::string imd;             ///< as in ApplicationOptions
+  std::string simulation;      ///< as in ApplicationOptions
   std::string state_text;      ///< output of the state in words: a file, or the terminal for "-"; empty: none
 };
 
