@@ -140,7 +140,7 @@ constexpr int kMoves = 120;
 void dockByEarAndArrow(BlindWindow& w) {
   double step_A = 0.6;
   for (int n = 0; n < kMoves && step_A > 0.05; ++n) {
-    const Vec3 arrow = w.scene().pushInView();
+    const Vec3 arrow = pushInView(w.scene());
     if (arrow == Vec3(0.0)) return;
     const auto before = heardHum_Hz(w.heard());
     w.move(step_A * arrow);
