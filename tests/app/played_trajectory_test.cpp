@@ -156,6 +156,12 @@ TEST_CASE(
   CHECK(touching > 100);
   const RecordedScene scene = recordedScene(recorded->labels, SharedArray<Sphere>(recorded->placed));
   CHECK(recorded->labels.at("balls") == fingerprint(*scene.spheres));
+  CHECK(recorded->labels.at("moved") == "trajectory");
+  CHECK(recorded->labels.at("moved_by_file") == "shift.pdb");
+  CHECK(recorded->labels.at("moved_how") == "not superposed");
+  const double frame = std::stod(recorded->labels.at("moved_at"));
+  CHECK(frame >= 3.0);
+  CHECK(frame <= 9.0);
   const auto tracker = findMethod("exact")->make(scene.spheres, recorded->ticks.front().settings.probe_A);
   const ReplayResult result = replay(*recorded, tracker.get(), scene.spheres.get());
   CHECK(result.ticks == recorded->ticks.size());

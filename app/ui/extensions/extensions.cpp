@@ -35,7 +35,8 @@ Extensions::Extensions(Application& app)
       potential_colours(app.scene),
       touch_paint(reveal_policy, app.scene, app.lesson),
       device(task_stager, app.scene, app.settings, app.messages, app.panels, app.layout(), app.options(), app.time()),
-      hand_recorder(recorder, device, app, app.scene, app.messages, app.panels, app.file_dialog, app.options()) {}
+      hand_recorder(movers, recorder, device, app, app.scene, app.messages, app.panels, app.file_dialog,
+                    app.options()) {}
 
 float Extensions::stripHeight() const {
   if (playback.on()) return kPlayback;

@@ -1,5 +1,6 @@
 #include "app/ui/extensions/hand_recorder.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/opener.h"
 #include "app/ui/application/panel_state.h"
+#include "app/ui/extensions/atom_movers.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/files/file_dialog.h"
@@ -16,6 +18,22 @@
 
 namespace moltact {
 namespace fs = std::filesystem;
+
+namespace {
+
+// What moves the atoms, at the recording's first tick.
+std::map<std::string, std::string> moverLabels(const AtomsMoved& moved) {
+  // The displacements of a simulation stand in the recording itself, and a label has one line.
+  std::map<std::string, std::string> out{{"moved", moved.by}, {"moved_at", std::to_string(moved.position)}};
+  if (!moved.file.empty()) out["moved_by_file"] = moved.file;
+  if (!moved.engine.empty()) out["moved_by_engine"] = moved.engine;
+  if (moved.by == "trajectory" && !moved.detail.empty()) out["moved_how"] = moved.detail;
+  for (auto& [key, value] : out) std::replace(value.begin(), value.end(), '\n', ' ');
+  return out;
+}
+
+}  // namespace
+
 void HandRecorder::askToRecord() {
   file_dialog_.ask({.title = tr("Record the hand in a file"),
                     .name = scene_.molecule().file.stem().string() + kRecordingEnding,
@@ -39,6 +57,7 @@ void HandRecorder::record(const fs::path& file) {
   const TouchableModel& now = scene_.stage();
   labels_ = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
   labels_.merge(sceneLabels(*now.spheres, now.body.get()));
+  if (const auto moved = movers_.position()) labels_.merge(moverLabels(*moved));
   const SharedArray<Sphere>& resting = scene_.atoms().resting().spheres->spheres();
   placed_ = now.spheres->spheres().sharesWith(resting) ? SharedArray<Sphere>() : now.spheres->spheres();
   tracker_ = scene_.servo().handedOver();

@@ -18,6 +18,7 @@
 namespace moltact {
 
 struct ApplicationOptions;
+class AtomMovers;
 class AttemptRecorder;
 class DeviceLink;
 class FileDialog;
@@ -26,9 +27,11 @@ struct PanelState;
 
 class HandRecorder : public Extension {
  public:
-  HandRecorder(AttemptRecorder& recorder, DeviceLink& device, Opener& opener, HapticSession& scene, Messages& messages,
-               PanelState& panels, FileDialog& file_dialog, const ApplicationOptions& options)
-      : opener_(opener),
+  HandRecorder(const AtomMovers& movers, AttemptRecorder& recorder, DeviceLink& device, Opener& opener,
+               HapticSession& scene, Messages& messages, PanelState& panels, FileDialog& file_dialog,
+               const ApplicationOptions& options)
+      : movers_(movers),
+        opener_(opener),
         scene_(scene),
         messages_(messages),
         panels_(panels),
@@ -65,6 +68,7 @@ class HandRecorder : public Extension {
   bool leadsHand() const override { return playing_; }
 
  private:
+  const AtomMovers& movers_;
   Opener& opener_;
   HapticSession& scene_;
   Messages& messages_;

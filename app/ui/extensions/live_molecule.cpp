@@ -438,8 +438,9 @@ std::optional<AtomsMoved> LiveMolecule::position() const {
   std::vector<Vec3> by;
   if (smooth_A_.size() <= kMaxRecorded)
     for (std::size_t i = 0; i < smooth_A_.size(); ++i) by.push_back(smooth_A_[i] - molecule_->spheres[i].centre_A);
-  return AtomsMoved{
-      {}, {}, textOfDisplacements(by), frame_.time_ps, engine.name.empty() ? agreed_ : engineText(engine)};
+  // The system's file is named with the engine: a playback needs only the displacements.
+  const std::string computed_by = engine.name.empty() ? agreed_ : engineText(engine) + "; " + file_.filename().string();
+  return AtomsMoved{{}, {}, textOfDisplacements(by), frame_.time_ps, computed_by};
 }
 
 // A simulation is not repeated: the recorded displacements are shown. A large molecule, of which none are recorded, stays

@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Frames that are read ahead, and the part of the file that is searched for further frames in one task.
-constexpr std::size_t kAhead = 6;
+// The most frames that are read ahead, and the part of the file that is searched for further frames in one task.
+constexpr std::size_t kMaxAhead = 6;
 constexpr std::uint64_t kSearched_bytes = std::uint64_t{32} << 20;
 
 // "not superposed", or the selection; then "; smoothed 2".
@@ -197,6 +197,15 @@ void PlayedTrajectory::take(Reading reading) {
   }
 }
 
+int PlayedTrajectory::piece_ticks() const {
+  return molecule_ && molecule_->atoms.size() > kLargeMolecule ? kLargePiece_ticks : kPiece_ticks;
+}
+
+std::size_t PlayedTrajectory::maxReady() const {
+  const std::size_t frame_bytes = sizeof(Vec3) * std::max<std::size_t>(1, molecule_ ? molecule_->atoms.size() : 0);
+  return std::clamp<std::size_t>(kMaxReady_bytes / frame_bytes, 1, 3 * kMaxAhead + 8);
+}
+
 std::vector<std::size_t> PlayedTrajectory::needed() const {
   std::vector<std::size_t> out;
   if (frames_ == 0) return out;
@@ -216,8 +225,10 @@ std::vector<std::size_t> PlayedTrajectory::needed() const {
   want(std::ceil(at_));
   if (at_end == AtEnd::Repeat || (shown_ && *shown_ > double(last()))) want(double(first()));
   // A step may pass several frames.
-  const double stride = std::max(1.0, std::floor(per_s_ * kPiece_ticks * kTick_s));
-  for (std::size_t k = 1; running_ && k <= kAhead; ++k) {
+  const double stride = std::max(1.0, std::floor(per_s_ * piece_ticks() * kTick_s));
+  // Each step ahead needs two frames; the present place, a jump and the first frame need up to seven.
+  const std::size_t ahead = std::clamp<std::size_t>(maxReady() / 4, 1, kMaxAhead);
+  for (std::size_t k = 1; running_ && k <= ahead; ++k) {
     double frame = std::floor(at_) + double(direction_) * stride * double(k) + (direction_ > 0 ? 1.0 : 0.0);
     want(std::clamp(frame, double(first()), double(last())));
     want(std::clamp(frame - double(direction_), double(first()), double(last())));
@@ -238,8 +249,7 @@ void PlayedTrajectory::request() {
   for (const std::size_t frame : wanted)
     if (!placed_.contains(frame) && !failed_.contains(frame)) missing.push_back(frame);
   if (missing.empty() && complete_) return;
-  constexpr std::size_t kKept = 3 * kAhead + 8;
-  for (auto it = placed_.begin(); placed_.size() > kKept && it != placed_.end();)
+  for (auto it = placed_.begin(); placed_.size() + missing.size() > maxReady() && it != placed_.end();)
     it = std::find(wanted.begin(), wanted.end(), it->first) == wanted.end() ? placed_.erase(it) : std::next(it);
   reading_.begin(inBackground(readingOf, store_, missing, smoothing_, !complete_));
   if (options_.clock == ServoClock::Frames) take(*reading_.wait());
@@ -303,7 +313,8 @@ bool PlayedTrajectory::seek() {
   double farthest_A = 0.0;
   for (std::size_t i = 0; i < spheres->size(); ++i)
     farthest_A = std::max(farthest_A, glm::distance((*spheres)[i].centre_A, now[i].centre_A));
-  const int ticks = std::clamp(int(std::ceil(farthest_A / kSeekSpeed_A_per_s / kTick_s)), kPiece_ticks, kMaxSeek_ticks);
+  const int ticks =
+      std::clamp(int(std::ceil(farthest_A / kSeekSpeed_A_per_s / kTick_s)), piece_ticks(), kMaxSeek_ticks);
   if (!own_.claim() || !scene_.moveAtoms(own_, *spheres, ticks)) return false;
   at_ = to;
   seek_.reset();
@@ -356,11 +367,11 @@ void PlayedTrajectory::beforeTicks() {
   }
   if (!running_ || !own_.claim()) return;
   const int direction = direction_;
-  const std::optional<double> to = next(kPiece_ticks * kTick_s);
+  const std::optional<double> to = next(piece_ticks() * kTick_s);
   if (!to) return;
   const auto spheres = spheresAt(*to);
   // A motion can only be queued after the previous one has begun.
-  if (spheres && scene_.moveAtoms(own_, *spheres, kPiece_ticks))
+  if (spheres && scene_.moveAtoms(own_, *spheres, piece_ticks()))
     at_ = *to;
   else
     direction_ = direction;

@@ -29,6 +29,11 @@ class PlayedTrajectory : public AtomMover {
   /// The greatest speed of an atom on the way to a frame that the user chose; the way takes at most kMaxSeek_ticks.
   static constexpr double kSeekSpeed_A_per_s = 8.0;
   static constexpr int kMaxSeek_ticks = 990;
+  /// Above so many atoms a piece of the motion takes 100 ms, since preparing one takes the window's thread some 30 ms.
+  static constexpr std::size_t kLargeMolecule = 50'000;
+  static constexpr int kLargePiece_ticks = 100;
+  /// The positions that are kept ready take at most this, or those of the frames that are needed (unit: byte).
+  static constexpr std::size_t kMaxReady_bytes = std::size_t{96} << 20;
   static constexpr double kSlowest_per_s = 0.5, kFastest_per_s = 60.0;
   static constexpr std::size_t kMaxSmoothing = 10;
   /// The survey of a trajectory reads at most so many frames.
@@ -104,6 +109,9 @@ class PlayedTrajectory : public AtomMover {
   void take(Reading reading);
   void request();
   std::vector<std::size_t> needed() const;
+  int piece_ticks() const;
+  // How many frames' positions may be kept ready.
+  std::size_t maxReady() const;
   // The positions at a place between frames; empty until both frames have been read.
   std::optional<std::vector<Sphere>> spheresAt(double at) const;
   std::optional<double> next(double dt_s);
