@@ -52,7 +52,9 @@ std::string lessonAt(const std::string& address) {
 TEST_CASE(
     "the molecule of the command line connects by itself; a press pushes the server's atoms; when the server hangs up "
     "during the press the force is 0 in the frame that says so, the atoms are back, and the user can connect again") {
-  for (const ImdFault fault : {ImdFault::HangsUp, ImdFault::NotANumber, ImdFault::TwoGigabytes}) {
+  for (const ImdFault fault :
+       {ImdFault::HangsUp, ImdFault::CutsFrame, ImdFault::Resets, ImdFault::Disconnects, ImdFault::Garbage,
+        ImdFault::NotANumber, ImdFault::TooManyAtoms, ImdFault::TwoGigabytes}) {
     CAPTURE(int(fault));
     ImdTestServer server({}, kAtomsAtServer);
     const auto user = startWith("argon-triangle", windowFor(addressOf(server)));

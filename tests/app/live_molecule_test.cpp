@@ -215,6 +215,34 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "pull: residue 1-3 holds all 22 atoms wherever the press touches; of three scenes that pull one residue each, one "
+    "press holds its residue's 6 or 10 atoms and the other two push") {
+  const ScratchFolder scratch;
+  int held = 0, pushed = 0;
+  for (const auto& [pull, atoms] : {std::pair("1-3", 22), std::pair("1", 6), std::pair("2", 10), std::pair("3", 6)}) {
+    CAPTURE(std::string(pull));
+    writeFile(scratch.path / "mine.md",
+              liveLesson("simulation: alanine-dipeptide.xml\npull: residue " + std::string(pull) + "\n"));
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow({}));
+    if (!simulates(*user)) return;
+    CHECK(liveOf(*user).hold() == LiveMolecule::Hold::Selection);
+    user->point("view", 0.5, 0.5);
+    user->press();
+    user->frames(60);
+    const std::size_t holds = user->app().scene.pull().atoms().size();
+    CHECK((holds == 0 || int(holds) == atoms));
+    if (atoms == 22) {
+      CHECK(holds == 22);
+      continue;
+    }
+    holds ? ++held : ++pushed;
+    if (!holds) CHECK(user->app().scene.log().latest().contact.touching());
+  }
+  CHECK(held == 1);
+  CHECK(pushed == 2);
+}
+
 TEST_CASE("forces between atoms end the simulation with a message; a molecule without a system offers none") {
   {
     const auto user = startWith("alanine-dipeptide", smallWindow({}));

@@ -81,8 +81,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "faults at random places: each ends the session with a sentence, whatever the hand pulled; where the server still "
-    "listened, the last word about forces was that there are none") {
+    "faults at random places, in half of the runs while the server feels the hand's pull: each ends the session with a "
+    "sentence; where the server still listened, the last word about forces was that there are none") {
   const char* flag = std::getenv("MOLTACT_IMD_FAULTS");
   const int runs = flag ? std::atoi(flag) : 200;
   std::mt19937 random(3);
@@ -92,18 +92,32 @@ TEST_CASE(
                                 ImdFault::TooManyAtoms, ImdFault::TwoGigabytes};
   ImdTestServer two({2, true}, kAtoms), three({3, false}, kAtoms);
   two.frame_us = three.frame_us = 100;
+  int pulled = 0;
   for (int run = 0; run < runs; ++run) {
     ImdTestServer& server = run % 2 ? two : three;
-    server.fault = kinds[random() % std::size(kinds)];
-    server.frames_before_fault = int(random() % 12);
+    const ImdFault kind = kinds[random() % std::size(kinds)];
+    const bool while_pulling = random() % 2 == 0;
+    server.fault = while_pulling ? ImdFault::None : kind;
+    server.frames_before_fault = while_pulling ? 0 : int(random() % 12);
     server.cut_at = std::uint32_t(random() % 300);
     CAPTURE(run);
-    CAPTURE(int(server.fault.load()));
+    const int kind_number = int(kind);
+    CAPTURE(kind_number);
+    CAPTURE(while_pulling);
     const int gone = server.gone;
     auto made = connectTo(server);
     if (made) {
       const SimulationCommand wanted = pull(std::uint32_t(random() % 4), {9, 9, 9});
       (*made)->command(wanted);
+      if (while_pulling) {
+        const bool felt = comes([&] {
+          (*made)->command(wanted);
+          return server.pushed == 1;
+        });
+        CHECK(felt);
+        pulled += felt;
+        server.fault = kind;
+      }
       CHECK(comes([&] {
         (*made)->command(wanted);
         return (*made)->newest().dead;
@@ -115,8 +129,10 @@ TEST_CASE(
       CHECK_FALSE(made.problem().message.empty());
     }
     CHECK(comes([&] { return server.gone > gone; }));
-    if (server.fault > ImdFault::Resets) CHECK(server.forceEnded());
+    if (kind > ImdFault::Resets) CHECK(server.forceEnded());
   }
+  MESSAGE(pulled, " of them while the server felt a pull");
+  CHECK(pulled > runs / 3);
 }
 
 TEST_CASE("a server that stalls: the forces end, the frame says so, and the session can still be left") {
