@@ -23,6 +23,7 @@ for preset in "${@:-release}"; do
     install_missing .ci/packages-web
     build_preset web moltact_page
     build_preset web moltact_hip_path
+    build_preset web moltact_energy_ticks
     [ -x build/release/moltact ] || build_preset release moltact
     timeout 45m python3 tests/web/run.py
     continue

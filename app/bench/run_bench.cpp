@@ -352,17 +352,21 @@ void addBodies(const BenchArguments& arguments, Report& report) {
   report.sentences.push_back({"body_matrix_sentences", bodyMatrixSentences(results)});
 }
 
-void addEnergies(const BenchArguments& arguments, Report& report) {
+// The page's ticks that the arguments name; empty without them. A fault ends the command before anything is measured.
+std::string pageTicks(const BenchArguments& arguments) {
+  if (arguments.page_ticks.empty()) return {};
+  if (arguments.part != "all" && arguments.part != "energies")
+    throw CommandError{"--page-ticks belongs to the chart of energies; measure 'energies' or 'all'"};
+  auto lines = readFile(arguments.page_ticks, 1u << 20, "use what moltact_energy_ticks printed");
+  if (!lines) throw CommandError{lines.problem().text()};
+  std::vector<EnergyTradeOff> none;
+  if (const auto problem = addPageTicks(*lines, none)) throw CommandError{problem->text()};
+  return *std::move(lines);
+}
+
+void addEnergies(const BenchArguments& arguments, const std::string& page_ticks, Report& report) {
   EnergyTradeOffOptions options;
   if (arguments.quick) options.ticks = 200, options.runs = 2, options.judged_pairs = 1e7, options.min_spacing_A = 0.5;
-  std::string page_ticks;
-  if (!arguments.page_ticks.empty()) {
-    auto lines = readFile(arguments.page_ticks, 1u << 20, "use what moltact_energy_ticks printed");
-    if (!lines) throw CommandError{lines.problem().text()};
-    page_ticks = *std::move(lines);
-    std::vector<EnergyTradeOff> none;  // a fault ends the command before anything is measured
-    if (const auto problem = addPageTicks(page_ticks, none)) throw CommandError{problem->text()};
-  }
   const ProgressBar bar("energies");
   auto points = measureEnergies(
       options, [](const std::string& id) { return openMolecule(id); }, std::cref(bar));
@@ -402,6 +406,7 @@ void updatePages(const fs::path& folder, const Report& report) {
 void runBench(const BenchArguments& arguments) {
   checkNames(arguments.methods);
   const auto methods = chosen(arguments.methods, arguments.quick);
+  const std::string page_ticks = pageTicks(arguments);
   tryOutputs(arguments);
   const bool all = arguments.part == "all";
   const auto begin = std::chrono::steady_clock::now();
@@ -412,7 +417,7 @@ void runBench(const BenchArguments& arguments) {
   if (all || arguments.part == "hands") addHands(arguments, unlimited(methods, arguments.methods), report);
   if (all || arguments.part == "stability") addStability(arguments, unlimited(methods, arguments.methods), report);
   if (all || arguments.part == "bodies") addBodies(arguments, report);
-  if (all || arguments.part == "energies") addEnergies(arguments, report);
+  if (all || arguments.part == "energies") addEnergies(arguments, page_ticks, report);
 
   for (const ReportTable& t : report.tables)
     if (!t.name.ends_with("_figures"))

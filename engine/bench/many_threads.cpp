@@ -3,6 +3,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,18 +20,21 @@ void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& wo
     for (std::size_t k; (k = next++) < count;) {
       try {
         work(k);
+        ++finished;
+        if (reports && done) done(finished);
       } catch (...) {
         const std::lock_guard lock(throwing);
         if (!thrown) thrown = std::current_exception();
         next = count;
       }
-      ++finished;
-      if (reports && done) done(finished);
     }
   };
   std::vector<std::thread> others;
-  if (threadsAvailable())
-    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back([&] { run(false); });
+  if (threadsAvailable()) try {
+      for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back([&] { run(false); });
+    } catch (const std::system_error&) {
+      // The system has no further thread; the present ones do the work.
+    }
   run(true);
   for (std::thread& other : others) other.join();
   if (thrown) std::rethrow_exception(thrown);

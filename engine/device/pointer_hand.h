@@ -6,14 +6,15 @@
 // pointer, under the surface while the button is held. If the pointer is fast, a pressed probe follows over the surface
 // at kMaxSpeed_A_per_s and does not pass through obstacles. After a release the hand is lifted before any other motion,
 // so that no release causes an impact. While the pointer is on a control over the view, a hovering hand returns to
-// where the pointer last stood still over a surface. It therefore does not stay behind the control.
+// where the pointer last stood still over a surface. It is therefore not hidden behind the control.
 //
 // The resistance is visible instead of felt: pressing slows down as the force rises, and so does a probe moved by the
 // arrow keys. A held press comes to rest at the depth where the spring gives kRest_N. Each notch changes this force by
 // kNotch_N. On an inclined surface the force is smaller than that of the spring at that depth, never larger.
 //
 // A field (attraction, charge) has no surface. In an energy well the hand moves down the energy with damping and rests
-// where the force vanishes; pointer and keys move it along and out, notches away and back. Elsewhere in a field a press advances until the
+// where the force vanishes; the pointer and the arrow keys move it sideways, also out of the well; notches move it along
+// the line of sight. Elsewhere in a field a press advances until the
 // opposing force equals the press's own. Units: angstrom, pixel, newton, second.
 #pragma once
 

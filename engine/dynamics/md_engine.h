@@ -39,7 +39,7 @@ struct MdStart {
   double friction_per_ps = 2.0;   ///< of the Langevin bath; 0: no bath, the energy is conserved
   double hold_kcal_mol_A2 = 0.0;  ///< stiffness of a spring that holds the centre of mass in place; 0: free
   std::uint32_t seed = 1;         ///< of the bath's random forces and the initial velocities
-  double step_ps = 0.0;           ///< 0: the engine's choice for this system (stepFor)
+  double step_ps = 0.0;           ///< 0: the engine's choice for this system (stepFor_ps)
   std::string platform;           ///< the engine's word for where it computes; empty: the fastest, measured
 };
 
@@ -87,7 +87,7 @@ class MdEngine {
   virtual MdEnergies energies() = 0;
 };
 
-/// What the module exports as kMakeMdEngine. Null: `why` states the reason.
+/// The function that a module exports under the name kMakeMdEngine. It returns null on failure, with the reason in `why`.
 using MakeMdEngine = MdEngine* (*)(const MdStart& start, std::string& why);
 inline constexpr const char* kMakeMdEngine = "moltactMakeMdEngine";
 

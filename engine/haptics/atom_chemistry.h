@@ -1,5 +1,6 @@
-// Element, type and partial charge of each atom, for interactions that compute forces beyond contact. Plain data, built
-// on the window's thread, then read by any thread. Unit: elementary charge.
+// Element, type and partial charge of each atom, for interactions that set `needs_chemistry`. The layer `forces` has
+// parameters of its own (PairField). Plain data, built on the window's thread, then read by any thread. Unit: elementary
+// charge.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@ struct AtomChemistry {
   std::vector<std::uint16_t> types;          ///< index into type_names
   std::vector<float> charges_e;              ///< empty: the scene has no charges
   /// Keys of force-field tables: residue and atom, as "ASP OD1", or the element's symbol for an atom outside a residue.
-  /// Distinct, in order of first use, at most 65,535 entries; all further types share the last entry, which is empty.
+  /// Distinct, in order of first use, at most 65,535 entries; beyond that, every further type is the last entry, an empty
+  /// name.
   std::vector<std::string> type_names;
 };
 

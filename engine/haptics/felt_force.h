@@ -29,8 +29,9 @@ struct FeltForce {
 struct MolecularEnergy {
   EnergyByPart parts;
   double felt_kcal_mol = 0.0;  ///< their sum after the bound of the walls (PairModel::wall_kcal_mol)
-  /// Stiffness of the spring between the hand and what it holds, in the molecule (unit: kcal/mol/A^2). A force of
-  /// 1 kcal/mol/A is felt as the stiffness of the felt spring divided by this. 0: there is no such spring.
+  /// Stiffness of the spring between the hand and what it holds, in the molecule (unit: kcal/mol/A^2). Under
+  /// 1 kcal/mol/A it extends by 1 / this (A); the hand feels that extension times the stiffness of the felt spring (N). 0:
+  /// there is no such spring.
   double coupling_kcal_mol_A2 = 0.0;
 
   double total_kcal_mol() const { return parts.total_kcal_mol(); }

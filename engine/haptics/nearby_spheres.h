@@ -42,8 +42,8 @@ class NearbySpheres {
   /// The grid that is searched: the scene, or during a motion the bounds of its spheres. sphere() gives the actual
   /// spheres.
   const SphereGrid& scene() const noexcept { return motion_ ? motion_->sweptSpheres() : *scene_; }
-  /// The scene's middle rounded to multiples of 1024 A, so that differences to it are exact; zero for a scene near the
-  /// zero point.
+  /// The scene's middle rounded to multiples of 1024 A, so that a difference to it loses no digit where both are
+  /// of like size; zero for a scene near the zero point.
   const Vec3& origin() const noexcept { return origin_; }
   double probe_A() const noexcept { return probe_; }
   std::size_t held() const noexcept { return count_; }  ///< spheres in the list

@@ -160,17 +160,17 @@ constexpr std::array kProperties{
                   .control = {.title = N_("Force on"), .tip = N_("Off: contact is followed, but no force is given.")},
                   .fallback = "on",
                   .meaning = "Whether the hand feels the force."},
-    TouchProperty{
-        .member = &TouchSetup::interaction,
-        .key = "hand",
-        .field = "interaction",
-        .label = "interaction",
-        .words = &interactionWords,
-        .control = {.title = N_("In the hand")},
-        .fallback = "probe",
-        .meaning = "How what is in the hand feels the molecule: 'probe' is a sphere; 'exact-body', the fallback with "
-                   "'in-hand', is a rigid body on one spring that overlaps no atom. With 'springs' each atom of the "
-                   "body has a spring of its own, and the body can overlap atoms."},
+    TouchProperty{.member = &TouchSetup::interaction,
+                  .key = "hand",
+                  .field = "interaction",
+                  .label = "interaction",
+                  .words = &interactionWords,
+                  .control = {.title = N_("In the hand")},
+                  .fallback = "probe",
+                  .meaning =
+                      "How what is in the hand feels the molecule: 'probe' is a sphere; 'exact-body', the default with "
+                      "'in-hand', is a rigid body on one spring that overlaps no atom. With 'springs' each atom of the "
+                      "body has a spring of its own, and the body can overlap atoms."},
     TouchProperty{.member = &TouchSetup::charges,
                   .key = "charges",
                   .field = "charges",
@@ -181,7 +181,8 @@ constexpr std::array kProperties{
                       "The source of the atoms' charges, for interactions with electrostatic forces: 'file' from the "
                       "molecule's file, 'formal' from the residues at pH 7. With 'forces', 'none' means the file's "
                       "charges or else "
-                      "AMBER's; 'formal' leaves whole charges only, and no hydrogen bonds."},
+                      "AMBER's; 'formal' leaves the formal charges alone, shared by the atoms that carry them, and no "
+                      "hydrogen bonds."},
     TouchProperty{.member = &TouchSetup::forces,
                   .key = "forces",
                   .field = "forces",

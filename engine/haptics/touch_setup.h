@@ -37,7 +37,7 @@ struct TouchSetup {
   /// number of atoms (unit: N/mm; 1 kcal/mol/A^2 is 0.000695 N/mm).
   double coupling_N_per_mm = 0.0;
   double weak_gain = 1.0;        ///< of the weakest of these forces: PairModel::weak_gain, 1 or more
-  double friction = 0.0;         ///< Friction::coefficient (interaction.h)
+  double friction = 0.0;         ///< Friction::coefficient (surface_properties.h)
   double stick_slip = 0.0;       ///< Friction::stick_slip
   std::string texture = "none";  ///< what friction depends on, as in textureChoices (texture_choices.h)
 

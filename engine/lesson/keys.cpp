@@ -290,7 +290,7 @@ std::vector<KeySpec> sceneKeys() {
        .meaning =
            "The radius of a tip that scans the molecule line by line from the viewer's side, like an atomic force "
            "microscope; the height picture grows in the view, and '0 Å' ends it. The scanned surface can then be "
-           "touched instead of the atoms, but does no task.",
+           "touched instead of the atoms, but touching it does not count for tasks.",
        .fallback = "0 Å",
        .dimension = Dimension::Length,
        .max = 20.0},

@@ -41,12 +41,13 @@ std::string someOf(const std::vector<std::string_view>& words) {
   return words.size() == 1 ? codeList(words) : "one or more of " + codeList(words) + ", separated by commas";
 }
 
-/// ", 0.1 s to 600 s" or ", at most 20 Å"; empty without limits.
+/// ", 0.1 s to 600 s", ", -2 to 2" or ", at most 20 Å"; empty without limits.
 std::string limits(const KeySpec& key) {
   const bool top = key.max < std::numeric_limits<double>::max();
   const std::string unit = key.dimension == Dimension::None ? "" : ' ' + std::string(codeUnit(key.dimension));
-  if (key.min > 0.0 && top) return ", " + number(key.min) + unit + " to " + number(key.max) + unit;
-  if (key.min > 0.0) return ", at least " + number(key.min) + unit;
+  const bool bottom = key.min > 0.0 || (key.min < 0.0 && key.min > std::numeric_limits<double>::lowest());
+  if (bottom && top) return ", " + number(key.min) + unit + " to " + number(key.max) + unit;
+  if (bottom) return ", at least " + number(key.min) + unit;
   return top ? ", at most " + number(key.max) + unit : "";
 }
 

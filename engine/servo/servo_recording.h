@@ -22,7 +22,7 @@
 
 namespace moltact {
 
-/// A motion that the file does not contain, as in files of earlier versions.
+/// `RecordedTick::motion` of a tick whose spheres moved in a way that the file, of an earlier version, does not contain.
 inline constexpr std::uint32_t kUnknownMotion = ~std::uint32_t{0};
 
 /// One tick with all inputs of its force except the interaction.

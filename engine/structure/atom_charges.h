@@ -1,5 +1,5 @@
-// Assigns element, type and partial charge to each atom of a molecule, for interactions with forces beyond contact.
-// Any thread except the haptic one. Unit: elementary charge.
+// Assigns element, type and partial charge to each atom of a molecule, for interactions that set `needs_chemistry`.
+// The layer `forces` has parameters of its own (PairField). Any thread except the haptic one. Unit: elementary charge.
 #pragma once
 
 #include <memory>

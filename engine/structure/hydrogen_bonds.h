@@ -23,7 +23,7 @@ struct HydrogenBond {
 /// them, between the other and a bonded atom, is at least 90 degrees (E. N. Baker and R. E. Hubbard, Prog. Biophys.
 /// Mol. Biol. 44, 97, 1984; I. K. McDonald and J. M. Thornton, J. Mol. Biol. 238, 777, 1994).
 ///
-/// Donors and acceptors are determined by the formula in amino acids and nucleotides, otherwise by the bonds. Each pair
+/// In amino acids and nucleotides the residue's chemical formula says which atoms donate and accept; elsewhere the bonds do. Each pair
 /// occurs once, with the first atom as donor if both can donate; ordered by donor, then acceptor. `bonds` must result
 /// from findBonds().
 std::vector<HydrogenBond> findHydrogenBonds(const Molecule& molecule, const BondTable& bonds);

@@ -88,7 +88,7 @@ struct BlindWindow {
   PointA body() { return scene().log().latest().shownBody().place; }
 };
 
-// The pitch of the hum in the last tenth of a second; none if there is none. Below the lowest note of the force there is
+// The pitch of the hum in the last eighth of a second; none if there is none. Below the lowest note of the force there is
 // nothing but the hum.
 std::optional<double> heardHum_Hz(const std::vector<float>& heard) {
   constexpr std::size_t kPiece = kSamples_per_s / 8;

@@ -72,7 +72,9 @@ TEST_CASE("points tunnel through a wall at 12 A a tick, and overlap a corner; a 
 }
 
 TEST_CASE(
-    "a step through a wall, a pose without a step and a step from elsewhere are ways through; one beside it is none") {
+    "PathWatch reports a step through a wall, a pose that no step reaches, and a step that begins elsewhere; it does "
+    "not "
+    "report a step in free space") {
   const auto all = bodyScenes(1);
   const BodyScene& wall = sceneNamed(all, "passes");
   PathWatch way(wall.spheres, wall.body, 0.05);

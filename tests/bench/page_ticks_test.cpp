@@ -51,8 +51,9 @@ TEST_CASE("a wrong line of a page's ticks is reported with its number") {
                                               "line 2 of the page's ticks: 'float 11 A' on 'ligand' is not in"},
                                     std::pair{"body,method,mean_us,p999_us\nvirus,float 10 A,1,2\n",
                                               "line 2 of the page's ticks: 'float 10 A' on 'virus' is not in"}}) {
-    CAPTURE(std::string(lines));
-    const auto problem = addPageTicks(lines, points);
+    const std::string text = lines;
+    CAPTURE(text);
+    const auto problem = addPageTicks(text, points);
     REQUIRE(problem);
     CHECK(problem->text().find(what) != std::string::npos);
   }

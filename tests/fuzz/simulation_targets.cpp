@@ -1,6 +1,5 @@
-// The rows of numbers between a page and its worker: for any numbers a row whose count does not fit is nothing, any other
-// is read, has as many atoms as its count says, and reads the same when it is written again. The first byte chooses the
-// kind of the row.
+// The rows of numbers between a page and its worker. A row whose count does not fit is rejected. Any other is read, has as
+// many atoms as its count says, and reads the same when it is written again. The first byte chooses the kind of the row.
 #include <cmath>
 #include <cstring>
 #include <vector>

@@ -1,6 +1,6 @@
 // The program's lesson on porin: what passes its eyelet, and which atoms surround it, agrees with the entry. What stands
-// here is no fact of the lesson: facts know no way through a ring, no place where a sphere comes to rest, no area, no side
-// of a ring, no record of strands and no hand that does a task.
+// here cannot be a fact of the lesson. Facts know neither a path through a ring, nor where a sphere comes to rest, nor an
+// area, nor a side of a ring. Nor do they know the record of strands, or a hand that does a task.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

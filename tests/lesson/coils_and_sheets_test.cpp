@@ -105,8 +105,10 @@ TEST_CASE(
   CAPTURE(says);
   const ShippedScene strand("beta-strand"), helix("alpha-helix");
   CHECK(placeOf(helix, caOf(20)).z - placeOf(helix, caOf(1)).z == doctest::Approx(28.4).epsilon(0.01));
-  CHECK((placeOf(helix, caOf(20)).z - placeOf(helix, caOf(1)).z) / 19 == doctest::Approx(1.50).epsilon(0.005));
-  CHECK(3.45 / 1.50 == doctest::Approx(2.3).epsilon(0.005));
+  const double rise_A = (placeOf(helix, caOf(20)).z - placeOf(helix, caOf(1)).z) / 19;
+  CHECK(rise_A == doctest::Approx(1.50).epsilon(0.005));
+  CHECK(glm::distance(placeOf(strand, caOf(9)), placeOf(strand, caOf(11))) / 2 / rise_A ==
+        doctest::Approx(2.3).epsilon(0.005));
   for (int i = 8; i <= 12; ++i) CHECK((placeOf(strand, cbOf(i)).y > 2.0) == (i % 2 == 0));
   for (int i = 8; i <= 12; ++i) CHECK(std::abs(placeOf(strand, cbOf(i)).y) > 2.0);
 }

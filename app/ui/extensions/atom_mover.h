@@ -2,7 +2,8 @@
 // trajectory, a simulation. Attempts record where a mover's atoms are in its own parameter (AtomsMoved), and a playback
 // has the mover restore them from it. Window's thread.
 //
-// A new mover is one file with a class that derives from AtomMover, and one row of MOLTACT_ATOM_MOVERS (atom_movers.h). It
+// A new mover is a class that derives from AtomMover, its section of the tab Motion, and one row of MOLTACT_ATOM_MOVERS
+// (atom_movers.h). It
 // receives every event of an Extension, and moves the atoms by HapticSession::moveAtoms or placeAtoms with `own_`, after
 // own_.claim(). What the hand does to the atoms comes from ServoLoop::takeImpulses.
 #pragma once

@@ -149,6 +149,8 @@ void ElasticMolecule::beforeTicks() {
     return;
   }
   if (!own_.claim()) return;
+  // Also after another mover has ended in this scene.
+  scene_.servo().loop().wantImpulses(true);
   addImpulses();
   if (waiting_.empty()) step();
   if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();

@@ -23,11 +23,12 @@ namespace {
 
 // What moves the atoms, at the recording's first tick.
 std::map<std::string, std::string> moverLabels(const AtomsMoved& moved) {
-  // The displacements of a simulation stand in the recording itself, and a label has one line.
+  // Long details, such as the displacements of a simulation, stand in the recording itself.
+  constexpr std::size_t kMaxHow = 200;
   std::map<std::string, std::string> out{{"moved", moved.by}, {"moved_at", std::to_string(moved.position)}};
   if (!moved.file.empty()) out["moved_by_file"] = moved.file;
   if (!moved.engine.empty()) out["moved_by_engine"] = moved.engine;
-  if (moved.by == "trajectory" && !moved.detail.empty()) out["moved_how"] = moved.detail;
+  if (!moved.detail.empty() && moved.detail.size() <= kMaxHow) out["moved_how"] = moved.detail;
   for (auto& [key, value] : out) std::replace(value.begin(), value.end(), '\n', ' ');
   return out;
 }

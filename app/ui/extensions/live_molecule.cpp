@@ -361,6 +361,8 @@ void LiveMolecule::beforeTicks() {
     return;
   }
   if (!own_.claim()) return;
+  // Also after another mover has ended in this scene.
+  scene_.servo().loop().wantImpulses(true);
   takeOrLetGo();
   addImpulses();
   if (ticks_ < kStep_ticks || !waiting_.empty()) {

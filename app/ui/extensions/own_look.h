@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-/// A key of a scene that the page offers.
+/// A key of a scene that the page app/ui/panels/look_page.cpp offers.
 struct OwnLookKey {
   std::string_view key;  ///< as in a scene
   const char* label;     ///< what it does, in English
@@ -26,7 +26,7 @@ class OwnLook final : public Extension {
   static std::span<const OwnLookKey> keys();
   static constexpr std::size_t kKeys = 6;
 
-  /// The values on the page. Without a style or colours, the picture keeps its own.
+  /// The values on the page. Without a style or a colour here the scene's stays.
   std::array<std::string, kKeys> values;
 
   /// What is wrong with each value for this molecule; empty if it is valid.

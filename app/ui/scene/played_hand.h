@@ -1,5 +1,5 @@
-// The hand of an attempt that is played back: one sample, shown in place of the hand's own until the next one. Window's
-// thread.
+// The hand of an attempt in playback. Until the next sample of the attempt arrives, its newest one replaces the samples
+// of the real hand. Window's thread.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ class PlayedHand {
  public:
   explicit PlayedHand(FeltScene& felt) : felt_(felt) {}
 
-  /// Shows this sample from now on: the log contains it, and there is no force. Empty: the hand's own again, from
-  /// outside.
+  /// Every tick of the log is this sample, and no force is output. Empty: the real hand is felt again, as if it came from
+  /// outside the molecule.
   void show(const std::optional<ServoSample>& sample);
   bool on() const { return felt_.played.has_value(); }
-  /// Called once per frame while it is on. Adds the sample to the log once for each tick of the frame; of a frame longer
-  /// than 0.5 s, for 0.5 s.
+  /// Called once per frame while it is on. Adds the sample to the log once for each tick of the frame, for at most 0.5 s
+  /// of a frame.
   void advance(double dt_s);
 
  private:

@@ -88,9 +88,9 @@ BodyResult runBodyScene(const BodyScene& scene, const BodyMethod& method) {
     const bool held = r.contact.fault == Fault::None;
     if (held) out.overlap_A = std::max(out.overlap_A, overlap_A(spheres, *scene.body, shown));
     if (!motion) out.energy_NA = std::max(out.energy_NA, made);
-    // The right answer is an exact body's own, so that one is judged by the places along its steps.
+    // The right answer is an exact body's own, so that one is also judged by the places along its steps.
     if (watched) out.tunnelled += held && way.tunnelled(shown, motion);
-    const bool free_behind = !watched && held && !r.contact.touching() && is.touching &&
+    const bool free_behind = held && !r.contact.touching() && is.touching &&
                              glm::distance(is.pose.place.A, hand.place.A) > kHeldBack_A &&
                              overlap_A(spheres, *scene.body, hand) == 0;
     out.tunnelled += free_behind && !behind;

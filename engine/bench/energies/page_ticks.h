@@ -17,7 +17,8 @@ std::vector<EnergyMethod> pageEnergyMethods();
 std::string pageTickLines(const std::vector<EnergyTradeOff>& points);
 
 /// Sets `page_mean_us` and `page_p999_us` of the points that these lines name. A Problem, with the line's number, for a
-/// line of another form, a time that is not positive, or a body or method that the chart lacks. Lines of points that were not measured here have no effect.
+/// line of another form, a time that is not positive, or a body or method that the chart lacks. Lines of points that
+/// were not measured here have no effect.
 std::optional<Problem> addPageTicks(const std::string& lines, std::vector<EnergyTradeOff>& points);
 
 }  // namespace moltact::bench

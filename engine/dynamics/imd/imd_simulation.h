@@ -1,5 +1,5 @@
-// A simulation in another program, on this computer or another, over IMD (imd_session.h). Its own thread reads all that
-// the server sends, so that the server never waits, keeps the newest positions only, and sends the forces. Neither thread
+// A simulation in another program, on this computer or another, over IMD (imd_session.h). A thread of its own reads
+// everything that the server sends, so that the server never waits. It keeps the newest positions and sends the forces. Neither thread
 // waits for the other: each passes the newest value by a TripleBuffer. Functions: the window's thread, unless stated.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The parts of the energy between two atoms. A new part is one enumerator here, one row in force_choices.cpp, its
-// parameters in PairAtom and PairBlock, and its curve in pair_kernel.cpp. Plain data, every thread. Units: kcal/mol.
+// The parts of the energy between two atoms. What a new part needs: CONTRIBUTING.md, "A part of the energy between
+// atoms". Plain data, every thread. Units: kcal/mol.
 #pragma once
 
 #include <array>

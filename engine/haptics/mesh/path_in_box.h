@@ -1,4 +1,4 @@
-// The search of a straight path through the boxes of a tree of triangles. Every thread.
+// The test whether a straight path meets a box, for the search in a tree of triangles. Every thread.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace moltact {
 
-/// Whether the path from `from` to `from + path` meets the box before its fraction `until`. `per_path` is 1 / path: infinite
-/// where the path is perpendicular to an axis, which the comparisons allow.
+/// Whether the path from `from` to `from + path` meets the box before its fraction `until`. `per_path` is 1 / path; its
+/// component is not used where the path's is 0.
 inline bool pathMeetsBox(const Vec3& from, const Vec3& path, const Vec3& per_path, const Vec3& low, const Vec3& high,
                          double until) noexcept {
   double t0 = 0.0, t1 = until;

@@ -218,7 +218,8 @@ TaskKind compareKind() {
       &checkCompare,
       nullptr,
       &checkCompareScene,
-      "`compare: places` alone. The atoms count that the body presses hardest against, and the force on the whole "
+      "`compare: places` alone. What counts are the atoms against which the body presses hardest, and the force on the "
+      "whole "
       "body.",
       &comparesPlaces};
 }

@@ -281,7 +281,7 @@ TaskKind feelKind() {
       &checkFeel,
       nullptr,
       nullptr,
-      "`feel: atoms` alone; the atoms count that the body presses hardest against.",
+      "`feel: atoms` alone; what counts are the atoms against which the body presses hardest.",
       &feelsAtoms};
 }
 

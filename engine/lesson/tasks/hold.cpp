@@ -145,7 +145,8 @@ TaskKind holdKind() {
           &checkHold,
           nullptr,
           nullptr,
-          "the atoms count that the body presses hardest against, and the force on the whole body. A kind of place is "
+          "what counts are the atoms against which the body presses hardest, and the force on the whole body. A kind "
+          "of place is "
           "for the probe.",
           &namesAtomsOrAnywhere};
 }

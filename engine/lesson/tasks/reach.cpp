@@ -105,7 +105,8 @@ TaskKind reachKind() {
             return std::make_unique<Reach>(s, m);
           },
           .of_body =
-              "the atoms that the body presses hardest against count; `near`, `side` and `region` use the position of "
+              "what counts are the atoms against which the body presses hardest; `near`, `side` and `region` use the "
+              "position of "
               "the body's centre."};
 }
 

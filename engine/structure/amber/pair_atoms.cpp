@@ -158,8 +158,11 @@ class Assigner {
   }
 
   void set(std::uint32_t i, const AmberType* type, float charge_e) {
-    // An element without a type has the size of its van der Waals radius and carbon's depth.
-    out_.atoms[i].half_minimum_A = type ? type->half_minimum_A : float(m_.spheres[i].radius_A);
+    // An element without a type has the size of its van der Waals radius and carbon's depth. No atom's is larger than the
+    // bound, beyond which the energy of overlapping atoms would overflow.
+    constexpr double kMaxHalfMinimum_A = 20.0;
+    out_.atoms[i].half_minimum_A =
+        type ? type->half_minimum_A : float(std::min(m_.spheres[i].radius_A, kMaxHalfMinimum_A));
     out_.atoms[i].depth_kcal_mol = type ? type->depth_kcal_mol : 0.086f;
     out_.atoms[i].charge_e = charge_e;
   }
