@@ -171,6 +171,41 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "a simulation that begins where a scene with an elastic molecule ends feels the press, and an elastic molecule "
+    "that "
+    "begins where a simulation ends yields to it") {
+  const ScratchFolder scratch;
+  const std::string elastic = "```scene\nmolecule: 1ubq\nelastic: on\n```\n",
+                    live = "```scene\nmolecule: alanine-dipeptide\nsimulation: alanine-dipeptide.xml\n```\n";
+  for (const bool simulation_last : {true, false}) {
+    CAPTURE(simulation_last);
+    writeFile(scratch.path / "mine.md",
+              "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules:\n  - 1ubq\n  - alanine-dipeptide\nauthor: A\nlicence: "
+              "L\n---\n## One\n" +
+                  (simulation_last ? elastic : live) + "Text.\n\n## Two\n" + (simulation_last ? live : elastic) +
+                  "Text.\n");
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow({}));
+    user->frames(30);
+    if (!simulation_last && !simulates(*user)) return;
+    user->app().lesson.next();
+    user->app().finishLoading();
+    user->frames(30);
+    if (simulation_last && !simulates(*user)) return;
+    user->point("view", 0.5, 0.5);
+    user->press();
+    double pushed_pN = 0.0, moved_A = 0.0;
+    for (int k = 0; k < 180; ++k) {
+      user->frames(1);
+      pushed_pN = std::max(pushed_pN, liveOf(*user).push_pN());
+      moved_A = std::max(moved_A, farthestFromRest_A(*user));
+    }
+    CHECK(user->app().scene.log().latest().contact.touching());
+    CHECK(moved_A > 0.1);
+    if (simulation_last) CHECK(pushed_pN > 10.0);
+  }
+}
+
+TEST_CASE(
     "a press that pulls holds the first atom that it touches: dragged for 10 s, the molecule's centre follows until "
     "the "
     "spring that holds it balances the mean pull, within 30 %; the end of the press lets go") {
