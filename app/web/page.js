@@ -38,8 +38,10 @@
 
   // ---- what is kept: the files under the person's folder, in IndexedDB -----------------------------------------------
 
-  const kHome = "/home/web_user", kSoon_ms = 250, kLast = "moltact/last";
+  const kHome = "/home/web_user", kSoon_ms = 250;
   const keeper = {
+    // The name of the storage. In a learning platform each learner of a computer has a storage of his own.
+    name: "moltact", last: "moltact/last",
     base: null, known: new Map(), timer: 0, failing: false, FS: null, changes: 0, left: 0,
 
     ask(request) {
@@ -52,7 +54,7 @@
     async load(FS) {
       this.FS = FS;
       try {
-        const opening = indexedDB.open("moltact", 1);
+        const opening = indexedDB.open(this.name, 1);
         opening.onupgradeneeded = () => opening.result.createObjectStore("files");
         this.base = await this.ask(opening);
         const files = this.base.transaction("files").objectStore("files");
@@ -73,7 +75,7 @@
       const text = (bytes) => { let out = ""; for (const b of bytes) out += String.fromCharCode(b); return btoa(out); };
       try {
         const files = fresh.map((path) => [path, text(this.FS.readFile(path))]);
-        localStorage.setItem(kLast, JSON.stringify({ files, gone }));
+        localStorage.setItem(this.last, JSON.stringify({ files, gone }));
         this.left = this.changes;
       } catch (error) {
         // localStorage is unavailable or too small: only the database stores it.
@@ -82,7 +84,7 @@
 
     take() {
       try {
-        const last = JSON.parse(localStorage.getItem(kLast) || "null");
+        const last = JSON.parse(localStorage.getItem(this.last) || "null");
         if (!last) return;
         for (const [path, text] of last.files) put(this.FS, path, Uint8Array.from(atob(text), (c) => c.charCodeAt(0)));
         for (const path of last.gone) if (this.FS.analyzePath(path).exists) this.FS.unlink(path);
@@ -143,7 +145,7 @@
     },
 
     drop() {
-      try { localStorage.removeItem(kLast); } catch (error) { /* there is none */ }
+      try { localStorage.removeItem(this.last); } catch (error) { /* there is none */ }
     },
 
     failed(error) {
@@ -361,8 +363,39 @@
     if (!along) return false;
     const file = kPassing + along.dataset.name;
     put(program.FS, file, await unpacked("pack-bytes", false));
-    open(file);
+    if (platform.link) openInPlatform(file);
+    else open(file);
     return true;
+  }
+
+  // ---- the learning platform, in a page that was packed for one -----------------------------------------------------------
+
+  const kNoPlatform = 2, kPlatformFailed = 3;
+  const platform = {kind: byId("pack-bytes")?.dataset.platform, link: null, news: null};
+  async function joinPlatform() {
+    if (!platform.kind) return;
+    const script = document.createElement("script");
+    script.textContent = byId("platform-script").textContent + ";globalThis.moltactPlatform = moltactPlatform;";
+    document.head.append(script);
+    try {
+      platform.link = await moltactPlatform.find(platform.kind, byId("pack-bytes").dataset.lesson, window);
+      if (!platform.link) platform.news = kNoPlatform;
+    } catch (error) {
+      console.warn("the learning platform: " + error);
+      platform.news = kPlatformFailed;
+    }
+    if (platform.link) keeper.last = "moltact/last/" + (keeper.name = platform.link.storage);
+  }
+
+  function openInPlatform(file) {
+    const reporter = new moltactPlatform.Reporter(platform.link, {
+      record: (limit, from) => program.ccall("moltact_platform_record", "string", ["number", "number"], [limit, from]),
+      news: (what) => { stir(); program._moltact_platform_news(what); },
+    });
+    program.ccall("moltact_platform_open", null, ["string", "string"], [file, reporter.suspended]);
+    stir();
+    reporter.begin(window);
+    globalThis.moltactReporter = reporter;  // for debugging
   }
 
   function hearFiles() {
@@ -457,12 +490,14 @@
     });
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
+    await joinPlatform();
     await Promise.all([keeper.load(made.FS), hid.begin()]);
     document.documentElement.lang = spoken;
     if (made.callMain([]) !== 0)
       return say("no WebGL");
     program = made;
     if (keeper.early) program._moltact_storage_fault(0);
+    if (platform.news) program._moltact_platform_news(platform.news);
     globalThis.moltact = program;  // for debugging
     hearPointers();
     hearKeys();

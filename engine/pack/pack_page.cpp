@@ -52,14 +52,16 @@ std::string attribute(const std::string& text) {
 }  // namespace
 
 Expected<std::string> pageWithPack(std::string page, const std::string& page_file, const std::string& name,
-                                   std::string_view pack) {
+                                   std::string_view pack,
+                                   const std::vector<std::pair<std::string, std::string>>& attributes) {
   const std::size_t place = page.find(kPlace);
   if (place == std::string::npos)
     return Problem{page_file, 0, 0, tr("it is no page of the browser edition, or holds a lesson already"),
                    tr("name the moltact.html that './run.sh web' made or that came with the program")};
-  page.replace(place, kPlace.size(),
-               "<script type=\"text/plain\" id=\"pack-bytes\" data-name=\"" + attribute(name + kPackEnding) + "\">" +
-                   base64(pack) + "</script>");
+  std::string head =
+      "<script type=\"text/plain\" id=\"pack-bytes\" data-name=\"" + attribute(name + kPackEnding) + '"';
+  for (const auto& [key, value] : attributes) head += ' ' + key + "=\"" + attribute(value) + '"';
+  page.replace(place, kPlace.size(), head + '>' + base64(pack) + "</script>");
   return page;
 }
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/core/problem.h"
 
@@ -14,8 +16,9 @@ inline constexpr std::size_t kMaxPageBytes = std::size_t{64}
                                              << 20;  ///< limit on the page without the lesson (unit: byte)
 
 /// Inserts the pack into the browser edition `page` (the text of moltact.html, read from `page_file`). `name` is the
-/// lesson's name without ending. Returns a Problem if the page is not a browser edition or already contains a lesson.
+/// lesson's name without ending. `attributes` are added to the element that holds the pack. Returns a Problem if the page is not a browser edition or already contains a lesson.
 Expected<std::string> pageWithPack(std::string page, const std::string& page_file, const std::string& name,
-                                   std::string_view pack);
+                                   std::string_view pack,
+                                   const std::vector<std::pair<std::string, std::string>>& attributes = {});
 
 }  // namespace moltact

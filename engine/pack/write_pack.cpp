@@ -49,6 +49,13 @@ Expected<std::string> writePack(const std::string& lesson, const std::map<std::s
   const std::string manifest = nlohmann::ordered_json{{"format", kPackFormat}, {"lesson", lesson}}.dump(
                                    2, ' ', false, nlohmann::json::error_handler_t::replace) +
                                '\n';
+  // The manifest first, so that programs can recognize the format by the file's beginning.
+  std::vector<std::pair<std::string, std::string>> all{{kPackManifest, manifest}};
+  all.insert(all.end(), files.begin(), files.end());
+  return writeZip(all);
+}
+
+Expected<std::string> writeZip(const std::vector<std::pair<std::string, std::string>>& files) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* memory = zip_source_buffer_create(nullptr, 0, 0, &error);
@@ -60,8 +67,7 @@ Expected<std::string> writePack(const std::string& lesson, const std::map<std::s
     zip_source_free(memory);
     return cannot(zip_error_strerror(&error));
   }
-  // The manifest first, so that programs can recognize the format by the file's beginning.
-  bool good = add(zip, kPackManifest, manifest);
+  bool good = true;
   for (const auto& [name, bytes] : files) good = good && add(zip, name, bytes);
   if (!good || zip_close(zip) != 0) {
     Problem problem = cannot(zip_strerror(zip));

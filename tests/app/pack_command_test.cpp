@@ -72,6 +72,50 @@ TEST_CASE(
   CHECK(place.run("pack haem.md --html --page gone.html").status == 1);
 }
 
+TEST_CASE(
+    "with --scorm, --scorm 2004 and --cmi5 a zip holds the manifest and the page at its top, well-formed by xmllint "
+    "whatever the title is, twice to the same bytes") {
+  const Place place;
+  place.write("edition.html",
+              "<html><script id=\"platform-script\"></script><!--a lesson comes here--><script>program</script></html>");
+  std::string evil = kLesson;
+  evil.replace(evil.find("Haem"), 4, "H<a>em & \"]]>\" 'ä'");
+  evil.replace(evil.find("goals: G"), 8, "goals: <G> & more; Say it");
+  place.write("evil.md", evil);
+  struct Case {
+    std::string option, file, manifest, kind, mark;
+  };
+  for (const Case& c : {Case{"--scorm", "evil.scorm12.zip", "imsmanifest.xml", "1.2", "<schemaversion>1.2</schemaversion>"},
+                        {"--scorm 2004", "evil.scorm2004.zip", "imsmanifest.xml", "2004",
+                         "<schemaversion>2004 4th Edition</schemaversion>"},
+                        {"--cmi5", "evil.cmi5.zip", "cmi5.xml", "cmi5", "moveOn=\"Completed\""}}) {
+    CAPTURE(c.option);
+    const Run run = place.run("pack evil.md " + c.option + " --page edition.html");
+    CHECK(run.err.empty());
+    REQUIRE(run.status == 0);
+    CHECK(has(run.out, c.file + " is written"));
+    const std::string zip = (place.folder / c.file).string(), into = (place.folder / ("out-" + c.kind)).string();
+    REQUIRE(std::system(("python3 -m zipfile -e '" + zip + "' '" + into + "'").c_str()) == 0);
+    std::size_t files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(into)) files += entry.is_regular_file() ? 1 : 0;
+    CHECK(files == 2);
+    const std::string manifest = contents(fs::path(into) / c.manifest), page = contents(fs::path(into) / "index.html");
+    CHECK(has(manifest, c.mark));
+    CHECK(has(manifest, "H&lt;a&gt;em &amp; &quot;]]&gt;&quot; &#39;ä&#39;"));
+    CHECK(has(page, "data-name=\"evil.moltact\" data-platform=\"" + c.kind + "\" data-lesson=\"urn:uuid:"));
+    if (std::system("command -v xmllint >/dev/null") == 0)
+      CHECK(std::system(("xmllint --noout '" + into + "/" + c.manifest + "'").c_str()) == 0);
+    REQUIRE(place.run("pack evil.md " + c.option + " --page edition.html -o again.zip").status == 0);
+    CHECK(contents(place.folder / "again.zip") == contents(zip));
+  }
+  CHECK(has(contents(place.folder / "out-cmi5" / "cmi5.xml"), "<langstring lang=\"und\">&lt;G&gt; &amp; more</langstring>"));
+  place.write("old.html", "<html><!--a lesson comes here--></html>");
+  CHECK(has(place.run("pack evil.md --scorm 1.2 --page old.html").err, "knows no learning platform"));
+  CHECK(has(place.run("pack evil.md --scorm 1.3 --page edition.html").err, "no edition of SCORM"));
+  CHECK(place.run("pack evil.md --scorm --cmi5 --page edition.html").status != 0);
+  CHECK(place.run("pack evil.md --html --cmi5 --page edition.html").status != 0);
+}
+
 TEST_CASE("a lesson with a fault is not packed, its notes are reported, and a file that is no lesson is refused") {
   const Place place;
   place.write("bad.md", kLesson + "\n![no](gone.png)\n");

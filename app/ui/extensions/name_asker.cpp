@@ -7,6 +7,7 @@
 #include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/class_turns.h"
+#include "app/ui/extensions/learner_known.h"
 #include "app/ui/extensions/playback.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "engine/core/printable.h"
@@ -48,7 +49,7 @@ void NameAsker::lessonChanged() {
   const Lesson& lesson = lesson_.session()->lesson();
   // A lesson that does not ask must not record the name given for another lesson.
   if (!recorder_.student().empty() && recorder_.student() == given_) recorder_.forgetStudent();
-  if (!lesson.ask.empty()) ask(lesson.ask == "code");
+  if (!lesson.ask.empty() && !learnerKnown()) ask(lesson.ask == "code");
 }
 
 void NameAsker::ask(bool code) {

@@ -15,6 +15,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/learner_known.h"
 #include "app/ui/files/user_folders.h"
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/keyboard_layout.h"
@@ -25,9 +26,14 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/reader.h"
+#include "engine/pack/pack_file.h"
 #include "engine/platform/storage_web.h"
 #include "engine/render/gl.h"
 #include "engine/results/attempt_file.h"
+#include "engine/results/learning_link.h"
+#include "engine/results/learning_record.h"
+#include "engine/results/suspended.h"
 
 // Functions of page.js that the program calls.
 EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
@@ -61,6 +67,42 @@ struct Page {
 };
 
 std::unique_ptr<Page> page;
+
+// The lesson of a learning platform (app/web/platform.js), if the page was packed for one.
+struct PlatformLesson {
+  GrowingAttempt attempt;
+  std::string json;
+  MessageId lost = 0;
+};
+std::optional<PlatformLesson> platform_lesson;
+
+// The lesson that the pack's manifest names, whose ids the platform sees in every language.
+LessonOutline manifestOutline(const std::filesystem::path& pack, const std::filesystem::path& folder) {
+  const Expected<PackFile> opened = PackFile::open(pack);
+  const LessonReading reading = opened ? readLesson(folder / opened->lesson()) : LessonReading();
+  return reading.lesson ? outlineOf(*reading.lesson, {}) : LessonOutline();
+}
+
+void openInPlatform(const std::filesystem::path& pack, const std::string& suspended) {
+  Application& app = page->app;
+  learnerKnownFlag() = true;
+  const std::filesystem::path lesson = app.extensions().lesson_list.add(pack);
+  if (lesson.empty()) {
+    app.panels.pages.welcome = true;
+    return;
+  }
+  LessonOutline outline = manifestOutline(pack, lesson.parent_path());
+  std::filesystem::path attempt;
+  if (!suspended.empty()) {
+    Expected<std::filesystem::path> found = attemptToResume(attemptsFolder(), suspended, outline);
+    if (found)
+      attempt = *std::move(found);
+    else
+      app.messages.warning(trf("{0}. The lesson begins anew.", found.problem().text()));
+  }
+  app.extensions().recorder.resume(lesson, attempt);
+  platform_lesson.emplace(PlatformLesson{GrowingAttempt(std::move(outline)), {}});
+}
 
 // If the device can vibrate, it signals a contact and each crossing to other atoms. A field has no such instants: it
 // begins and ends gradually, so it gives no pulse.
@@ -208,6 +250,51 @@ EMSCRIPTEN_KEEPALIVE void moltact_fault(const char* url, const char* why) {
 
 // Opens a file that the user dropped or chose and that page.js has stored there.
 EMSCRIPTEN_KEEPALIVE void moltact_open(const char* file) { page->app.drop({file}); }
+
+// Opens the pack as the lesson of a learning platform, where `suspended` (suspended.h) left it. If that is empty, the
+// lesson begins, whatever this browser has kept.
+EMSCRIPTEN_KEEPALIVE void moltact_platform_open(const char* pack, const char* suspended) {
+  moltact::openInPlatform(pack, suspended);
+}
+
+// The record for the platform (learning_record.h) with the interactions from the index `from` on; empty before the
+// student has begun. `max_chars`: limit of the suspended text.
+EMSCRIPTEN_KEEPALIVE const char* moltact_platform_record(int max_chars, int from) {
+  if (!moltact::platform_lesson) return "";
+  moltact::PlatformLesson& lesson = *moltact::platform_lesson;
+  lesson.attempt.read(page->app.extensions().recorder.file());
+  const moltact::Attempt* attempt = lesson.attempt.attempt();
+  if (!attempt) return "";
+  lesson.json = moltact::learningRecordJson(moltact::learningRecord(*attempt),
+                                            moltact::suspendedText(*attempt, std::size_t(std::max(0, max_chars))),
+                                            std::size_t(std::max(0, from)));
+  return lesson.json.c_str();
+}
+
+// 0: the platform does not answer; 1: it answers again; 2: there is none; 3: it could not be joined.
+EMSCRIPTEN_KEEPALIVE void moltact_platform_news(int what) {
+  using moltact::MessageKind;
+  using moltact::tr;
+  moltact::Messages& messages = page->app.messages;
+  moltact::MessageId none = 0, &lost = moltact::platform_lesson ? moltact::platform_lesson->lost : none;
+  messages.takeBack(lost);
+  if (what == 0)
+    lost = messages.ask(MessageKind::Warning,
+                        tr("The learning platform does not answer. Go on with the lesson: what you do is kept in this "
+                           "browser and sent as soon as the platform answers."),
+                        {});
+  if (what == 1) messages.notice(tr("The learning platform answers again and has everything that waited."));
+  if (what == 2)
+    messages.ask(MessageKind::Warning,
+                 tr("This page was made for a learning platform, and there is none here. What you do is kept in this "
+                    "browser only."),
+                 {});
+  if (what == 3)
+    messages.ask(MessageKind::Warning,
+                 tr("The learning platform did not answer when this page began, so it is told nothing. Close the page "
+                    "and begin the lesson again from the platform."),
+                 {});
+}
 
 // The page loses the focus or is hidden.
 EMSCRIPTEN_KEEPALIVE void moltact_rest() { page->shell.input().focusLost(); }
