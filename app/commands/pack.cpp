@@ -61,9 +61,9 @@ std::string page(const PackArguments& arguments, const fs::path& lesson, const s
   Expected<std::string> text = readFile(edition, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
   if (!text) throw CommandError{text.problem().text()};
   const std::optional<LearningPlatform> platform = arguments.platform();
-  Expected<std::string> whole =
-      platform ? platformZip(*platform, courseOf(lesson), *std::move(text), edition.string(), pack)
-               : pageWithPack(*std::move(text), edition.string(), lesson.stem().string(), pack);
+  Expected<std::string> whole = platform
+                                    ? platformZip(*platform, courseOf(lesson), *std::move(text), edition.string(), pack)
+                                    : pageWithPack(*std::move(text), edition.string(), lesson.stem().string(), pack);
   if (!whole) throw CommandError{whole.problem().text()};
   return *std::move(whole);
 }
@@ -117,9 +117,10 @@ void addPack(CLI::App& app) {
                                         "Write a page that contains the program, LESSON.html, for any browser");
   CLI::Option* scorm =
       command
-          ->add_option("--scorm", arguments->scorm,
-                       "Write a zip for a learning platform, LESSON.scorm12.zip: SCORM 1.2, which every platform takes, "
-                       "or 2004 (4th edition)")
+          ->add_option(
+              "--scorm", arguments->scorm,
+              "Write a zip for a learning platform, LESSON.scorm12.zip: SCORM 1.2, which every platform takes, "
+              "or 2004 (4th edition)")
           ->type_name("[1.2|2004]")
           ->expected(0, 1)
           ->transform(CLI::Validator(

@@ -169,7 +169,7 @@ const moltactPlatform = (() => {
         (id, m) => this.set(`${at}.objectives.${m}.id`, id));
       const when = new Date(i.at), valid = !Number.isNaN(when.getTime());
       if (valid && old) this.set(at + ".time", when.toTimeString().slice(0, 8));
-      if (valid && !old) this.set(at + ".timestamp", i.at);
+      if (valid && !old) this.set(at + ".timestamp", i.at.replace(/Z$/, ".00Z"));  // a zone stands behind a fraction only
       if (i.kind === "choice" && i.right_choices.length && marked(i))
         this.set(at + ".correct_responses.0.pattern", (old ? letters : names)(i.right_choices));
       const plain = (text, most) => cut(text.replace(/\[([,:.])\]/g, "[ $1]"), most);

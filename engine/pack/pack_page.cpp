@@ -58,8 +58,7 @@ Expected<std::string> pageWithPack(std::string page, const std::string& page_fil
   if (place == std::string::npos)
     return Problem{page_file, 0, 0, tr("it is no page of the browser edition, or holds a lesson already"),
                    tr("name the moltact.html that './run.sh web' made or that came with the program")};
-  std::string head =
-      "<script type=\"text/plain\" id=\"pack-bytes\" data-name=\"" + attribute(name + kPackEnding) + '"';
+  std::string head = "<script type=\"text/plain\" id=\"pack-bytes\" data-name=\"" + attribute(name + kPackEnding) + '"';
   for (const auto& [key, value] : attributes) head += ' ' + key + "=\"" + attribute(value) + '"';
   page.replace(place, kPlace.size(), head + '>' + base64(pack) + "</script>");
   return page;

@@ -167,14 +167,15 @@ Expected<std::string> platformZip(LearningPlatform platform, const PlatformCours
                                   const std::string& page_file, std::string_view pack) {
   if (page.find("id=\"platform-script\"") == std::string::npos &&
       page.find("<!--a lesson comes here-->") != std::string::npos)
-    return Problem{page_file, 0, 0, tr("this browser edition is of an earlier version, which knows no learning platform"),
+    return Problem{page_file, 0, 0,
+                   tr("this browser edition is of an earlier version, which knows no learning platform"),
                    tr("make it anew with './run.sh web'")};
-  Expected<std::string> whole = pageWithPack(std::move(page), page_file, course.name, pack,
-                                             {{"data-platform", std::string(nameOf(platform))},
-                                              {"data-lesson", lessonIri(course)}});
+  Expected<std::string> whole =
+      pageWithPack(std::move(page), page_file, course.name, pack,
+                   {{"data-platform", std::string(nameOf(platform))}, {"data-lesson", lessonIri(course)}});
   if (!whole) return whole.problem();
-  return writeZip({{std::string(manifestName(platform)), platformManifest(platform, course)},
-                   {kStartPage, *std::move(whole)}});
+  return writeZip(
+      {{std::string(manifestName(platform)), platformManifest(platform, course)}, {kStartPage, *std::move(whole)}});
 }
 
 }  // namespace moltact

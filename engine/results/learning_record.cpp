@@ -201,7 +201,9 @@ class Builder {
     };
     record_.score = scoreOf([](const Part&) { return true; });
     for (std::size_t g = 0; g < lesson_.goals.size(); ++g) {
-      const auto serves = [g](const Part& p) { return std::find(p.goals->begin(), p.goals->end(), g) != p.goals->end(); };
+      const auto serves = [g](const Part& p) {
+        return std::find(p.goals->begin(), p.goals->end(), g) != p.goals->end();
+      };
       LearningObjective o{"goal_" + std::to_string(g + 1), lesson_.goals[g], 0, 0, scoreOf(serves)};
       for (const Part& p : parts) {
         if (!serves(p)) continue;

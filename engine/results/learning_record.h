@@ -42,10 +42,10 @@ struct LearningInteraction {
 };
 
 struct LearningRecord {
-  std::string began;    ///< UTC
-  double at_s = 0.0;    ///< time of use at the end
-  std::string step;     ///< id of the student's step; empty before the first
-  std::string place;    ///< "two", with a task under way "two/task 1"
+  std::string began;  ///< UTC
+  double at_s = 0.0;  ///< time of use at the end
+  std::string step;   ///< id of the student's step; empty before the first
+  std::string place;  ///< "two", with a task under way "two/task 1"
   std::size_t done = 0, of = 0;
   std::optional<double> score;  ///< 0 to 1: see LearningObjective; no value if the lesson scores nothing
   std::vector<LearningObjective> objectives;

@@ -135,7 +135,8 @@ SuspendJson stepJson(const KnownStep& step, std::size_t place, const StepOutline
   return {keyAt(place, step.id), tasks, questions};
 }
 
-std::string stateTextOf(const KnownAttempt& known, const LessonOutline& lesson, Leaving leaving, std::size_t from_step) {
+std::string stateTextOf(const KnownAttempt& known, const LessonOutline& lesson, Leaving leaving,
+                        std::size_t from_step) {
   SuspendJson steps = SuspendJson::array(), skipped = steps;
   for (std::size_t k = from_step; k < known.steps.size(); ++k)
     for (std::size_t place = 0; place < lesson.steps.size(); ++place)
@@ -159,7 +160,10 @@ std::string stateTextOf(const KnownAttempt& known, const LessonOutline& lesson, 
 // ---- reading --------------------------------------------------------------------------------------------------------
 
 Problem damagedState() {
-  return {{}, 0, 0, tr("what the learning platform kept of this lesson is damaged"),
+  return {{},
+          0,
+          0,
+          tr("what the learning platform kept of this lesson is damaged"),
           tr("begin the lesson again; what the platform has counted stays counted")};
 }
 
@@ -213,7 +217,8 @@ class Reader {
     std::vector<std::string> skipped;
     for (const SuspendJson& key : all[9]) {
       if (!key.is_string()) return false;
-      if (const StepOutline* step = itemOf(lesson_.steps, key.get_ref<const std::string&>())) skipped.push_back(step->id);
+      if (const StepOutline* step = itemOf(lesson_.steps, key.get_ref<const std::string&>()))
+        skipped.push_back(step->id);
     }
     if (!skipped.empty()) add(OrderChanged{{}, {}, {}, true, std::move(skipped)});
     const StepOutline* at = itemOf(lesson_.steps, all[5].get_ref<const std::string&>());

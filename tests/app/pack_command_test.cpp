@@ -76,8 +76,9 @@ TEST_CASE(
     "with --scorm, --scorm 2004 and --cmi5 a zip holds the manifest and the page at its top, well-formed by xmllint "
     "whatever the title is, twice to the same bytes") {
   const Place place;
-  place.write("edition.html",
-              "<html><script id=\"platform-script\"></script><!--a lesson comes here--><script>program</script></html>");
+  place.write(
+      "edition.html",
+      "<html><script id=\"platform-script\"></script><!--a lesson comes here--><script>program</script></html>");
   std::string evil = kLesson;
   evil.replace(evil.find("Haem"), 4, "H<a>em & \"]]>\" 'ä'");
   evil.replace(evil.find("goals: G"), 8, "goals: <G> & more; Say it");
@@ -85,10 +86,11 @@ TEST_CASE(
   struct Case {
     std::string option, file, manifest, kind, mark;
   };
-  for (const Case& c : {Case{"--scorm", "evil.scorm12.zip", "imsmanifest.xml", "1.2", "<schemaversion>1.2</schemaversion>"},
-                        {"--scorm 2004", "evil.scorm2004.zip", "imsmanifest.xml", "2004",
-                         "<schemaversion>2004 4th Edition</schemaversion>"},
-                        {"--cmi5", "evil.cmi5.zip", "cmi5.xml", "cmi5", "moveOn=\"Completed\""}}) {
+  for (const Case& c :
+       {Case{"--scorm", "evil.scorm12.zip", "imsmanifest.xml", "1.2", "<schemaversion>1.2</schemaversion>"},
+        {"--scorm 2004", "evil.scorm2004.zip", "imsmanifest.xml", "2004",
+         "<schemaversion>2004 4th Edition</schemaversion>"},
+        {"--cmi5", "evil.cmi5.zip", "cmi5.xml", "cmi5", "moveOn=\"Completed\""}}) {
     CAPTURE(c.option);
     const Run run = place.run("pack evil.md " + c.option + " --page edition.html");
     CHECK(run.err.empty());
@@ -108,7 +110,8 @@ TEST_CASE(
     REQUIRE(place.run("pack evil.md " + c.option + " --page edition.html -o again.zip").status == 0);
     CHECK(contents(place.folder / "again.zip") == contents(zip));
   }
-  CHECK(has(contents(place.folder / "out-cmi5" / "cmi5.xml"), "<langstring lang=\"und\">&lt;G&gt; &amp; more</langstring>"));
+  CHECK(has(contents(place.folder / "out-cmi5" / "cmi5.xml"),
+            "<langstring lang=\"und\">&lt;G&gt; &amp; more</langstring>"));
   place.write("old.html", "<html><!--a lesson comes here--></html>");
   CHECK(has(place.run("pack evil.md --scorm 1.2 --page old.html").err, "knows no learning platform"));
   CHECK(has(place.run("pack evil.md --scorm 1.3 --page edition.html").err, "no edition of SCORM"));

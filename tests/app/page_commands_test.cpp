@@ -127,7 +127,8 @@ struct PagePlace : CommandPlace {
     std::string path = "x,y,z\n";
     for (int k = 0; k < 100; ++k) path += "0,0," + std::to_string(40 - 0.4 * k) + "\n";
     writeFile(folder / "hip.csv", path);
-    writeFile(folder / "edition.html", "<html><!--a lesson comes here--><script>program</script></html>");
+    writeFile(folder / "edition.html",
+              "<html><script id=\"platform-script\"></script><!--a lesson comes here--></html>");
     for (const char* name : {"a.recording", "mine.recording"})
       REQUIRE(run("device record simulated 1ubq --seconds 0.3 --out " + std::string(name)).status == 0);
     writeFile(folder / "answers.txt", "next\n");
@@ -202,7 +203,9 @@ TEST_CASE(
     if (arguments == subcommand) continue;  // the command's name
     // A smaller picture, one step of a lesson of which every step is tried elsewhere, and the page of the test.
     arguments = std::regex_replace(arguments, std::regex("--size [0-9x]+"), "--size 64x64");
-    if (has(arguments, "--html") && arguments.starts_with("pack ")) arguments += " --page edition.html";
+    if (arguments.starts_with("pack ") &&
+        (has(arguments, "--html") || has(arguments, "--scorm") || has(arguments, "--cmi5")))
+      arguments += " --page edition.html";
     if (arguments == "check lessons") arguments = "check lessons/first-touch.md";
     if (arguments == "check results") arguments = "check new";
     if (arguments == "new-lesson my-lesson") arguments += " --folder new";

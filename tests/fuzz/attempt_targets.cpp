@@ -1,14 +1,18 @@
 // Attempts: arbitrary bytes, and well-formed lines with numbers and texts that the program never writes. Readable ones
-// are also reported and played.
+// are also reported and played. Attempts as a learning platform keeps them.
 #include <cmath>
 
 #include "engine/results/attempt_file.h"
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 #include "engine/results/class_summary.h"
+#include "engine/results/learning_record.h"
+#include "engine/results/progress.h"
+#include "engine/results/suspended.h"
 #include "engine/results/timeline.h"
 #include "tests/fuzz/attempt_maker.h"
 #include "tests/fuzz/target.h"
+#include "tests/results/sample_attempt.h"
 
 namespace moltact::fuzz {
 namespace {
@@ -33,6 +37,19 @@ void attempt(std::string_view bytes) { readAndTell(fileOf(bytes, "a.jsonl")); }
 void attemptLines(std::string_view bytes) {
   Choices choices(bytes);
   readAndTell(fileOf(madeAttempt(choices), "a.jsonl"));
+}
+
+void suspended(std::string_view bytes) {
+  const LessonOutline lesson = sampleHeader().lesson;
+  const Expected<Attempt> attempt = fromSuspended(bytes, lesson);
+  if (!attempt) return mustBe(!attempt.problem().message.empty(), "a message");
+  const LearningRecord record = learningRecord(*attempt);
+  mustBe(std::isfinite(record.at_s) && record.at_s >= 0.0, "a time that is a number");
+  mustBe(!record.score || (*record.score >= 0.0 && *record.score <= 1.0), "a score from 0 to 1");
+  for (const SessionMemory::StepMemory& step : memoryOf(*attempt).steps)
+    mustBe(step.step == "one" || step.step == "two", "a step of the lesson");
+  const std::string again = suspendedText(*attempt, kSuspendScorm12);
+  mustBe(again.size() <= kSuspendScorm12 && (again.empty() || fromSuspended(again, lesson)), "a text that can be read");
 }
 
 }  // namespace moltact::fuzz

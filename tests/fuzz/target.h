@@ -64,7 +64,7 @@ void models(std::string_view bytes);
 void anyMolecule(std::string_view), structure(std::string_view);
 void lesson(std::string_view), selection(std::string_view), answers(std::string_view);
 void glossary(std::string_view), lessonPicture(std::string_view), formula(std::string_view);
-void attempt(std::string_view), attemptLines(std::string_view);
+void attempt(std::string_view), attemptLines(std::string_view), suspended(std::string_view);
 void recording(std::string_view), recordingState(std::string_view), handPath(std::string_view);
 void hipPath(std::string_view), gltf(std::string_view), catalogue(std::string_view), settings(std::string_view);
 void translations(std::string_view), reportStream(std::string_view);

@@ -29,6 +29,7 @@ constexpr Target kTargets[] = {
     {"formula", formula},
     {"attempt", attempt},
     {"attempt-lines", attemptLines},
+    {"suspended", suspended},
     {"recording", recording},
     {"recording-state", recordingState},
     {"hand-path", handPath},

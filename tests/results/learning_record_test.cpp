@@ -42,8 +42,8 @@ TEST_CASE("of 3 scored parts with one first answer wrong the score is 2/3; the g
 TEST_CASE("4 interactions in order of time, with latency, UTC and the misconception of the wrong choice") {
   const LearningRecord r = learningRecord(sample());
   REQUIRE(r.interactions.size() == 4);
-  const auto& [task, wrong, right, typed] = std::tie(r.interactions[0], r.interactions[1], r.interactions[2],
-                                                     r.interactions[3]);
+  const auto& [task, wrong, right, typed] =
+      std::tie(r.interactions[0], r.interactions[1], r.interactions[2], r.interactions[3]);
   CHECK(task.id == "task_one_1");
   CHECK(task.kind == Kind::Task);
   CHECK(task.text == "Touch it.");

@@ -45,9 +45,8 @@ Attempt wholeAttempt(const LessonOutline& lesson, const std::string& written) {
     for (const QuestionOutline& q : step.questions) {
       const bool typed = q.choices.empty();
       const std::vector<std::size_t> wrong{q.right.empty() || q.right[0] != 0 ? 0u : q.choices.size() - 1};
-      out.events.push_back(
-          {t_s += 7.0, Answered{step.id, q.id, 1, typed ? std::vector<std::size_t>() : wrong, typed ? written : "",
-                                false, InputKind::Mouse}});
+      out.events.push_back({t_s += 7.0, Answered{step.id, q.id, 1, typed ? std::vector<std::size_t>() : wrong,
+                                                 typed ? written : "", false, InputKind::Mouse}});
       out.events.push_back({t_s += 7.0, Answered{step.id, q.id, 2, typed ? std::vector<std::size_t>() : q.right,
                                                  typed ? written + "2" : "", true, InputKind::Mouse}});
     }
@@ -174,14 +173,14 @@ TEST_CASE("a corrected lesson keeps what it still contains: a step that moved is
   CHECK(memoryOf(*after).steps[0].questions.empty());
 }
 
-TEST_CASE("damaged texts are refused with a message: 2000 changed and 200 cut ones give no attempt outside its ranges") {
+TEST_CASE(
+    "damaged texts are refused with a message: 2000 changed and 200 cut ones give no attempt outside its ranges") {
   const Attempt before = sample();
   const std::string text = suspendedText(before, kSuspendScorm12);
-  for (const char* bad :
-       {"", "x", "{}", "[]", "null", "[\"moltact\",2]", R"(["moltact",1,"b",0,1,"0.0",0,1,[],[]])",
-        R"(["moltact",1,"b",1,-1,"0.0",0,1,[],[]])", R"(["moltact",1,"b",1,1e300,"0.0",0,1,[],[]])",
-        R"(["moltact",1,"b",1,1,"0.0",0,1,[1],[]])", R"(["moltact",1,"b",1,1,"0.0",0,1,[],[1]])",
-        R"(["moltact",1,3,1,1,"0.0",0,1,[],[]])"}) {
+  for (const char* bad : {"", "x", "{}", "[]", "null", "[\"moltact\",2]", R"(["moltact",1,"b",0,1,"0.0",0,1,[],[]])",
+                          R"(["moltact",1,"b",1,-1,"0.0",0,1,[],[]])", R"(["moltact",1,"b",1,1e300,"0.0",0,1,[],[]])",
+                          R"(["moltact",1,"b",1,1,"0.0",0,1,[1],[]])", R"(["moltact",1,"b",1,1,"0.0",0,1,[],[1]])",
+                          R"(["moltact",1,3,1,1,"0.0",0,1,[],[]])"}) {
     CAPTURE(bad);
     const Expected<Attempt> read = fromSuspended(bad, before.header.lesson);
     REQUIRE_FALSE(read);
@@ -212,7 +211,8 @@ TEST_CASE("damaged texts are refused with a message: 2000 changed and 200 cut on
   CHECK(read > 20);  // a changed digit is not damage
 }
 
-TEST_CASE("on another computer the attempt is written from the text; where it is kept at least as far it goes on itself") {
+TEST_CASE(
+    "on another computer the attempt is written from the text; where it is kept at least as far it goes on itself") {
   const ScratchFolder here, there;
   const Attempt before = sample();
   const LessonOutline& lesson = before.header.lesson;

@@ -11,7 +11,7 @@ const scormRuntime = (() => {
   const percent = number(0, 100), ascii = match(/^[\x21-\x7e]+$/, 255);
   const span12 = match(/^\d{2,4}:[0-5]\d:[0-5]\d(\.\d{1,2})?$/), time12 = match(/^[0-2]\d:[0-5]\d:[0-5]\d(\.\d{1,2})?$/);
   const span2004 = match(/^P(\d+Y)?(\d+M)?(\d+D)?(T(\d+H)?(\d+M)?(\d+(\.\d{1,2})?S)?)?$/);
-  const time2004 = match(/^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,2})?Z?$/);
+  const time2004 = match(/^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,2}Z?)?$/);
   const score12 = (at) => ({[`${at}.raw`]: percent, [`${at}.min`]: percent, [`${at}.max`]: percent});
   const score2004 = (at) => ({...score12(at), [`${at}.scaled`]: number(-1, 1)});
   const letters = match(/^[a-z0-9](,[a-z0-9])*$/, 255);

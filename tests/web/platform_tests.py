@@ -1,0 +1,403 @@
+"""A lesson in a learning platform: packed by `moltact pack`, played in Chromium inside a page with a strict SCORM runtime
+(scorm_runtime.js), or launched by cmi5 with a record store written here after the specification's requirements."""
+import base64
+import http.server
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+import urllib.parse
+import uuid
+import zipfile
+
+from page import DESKTOP, PAGE, PageTest, Served
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCORM_AGAIN = "scorm-again@3.4.3"
+
+LESSON = """---
+title: Hands & <atoms>
+minutes: 3
+goals: Touch an atom; Count atoms
+molecules: argon-pair
+author: The Moltact authors
+licence: CC-BY-4.0
+ask: name
+---
+## Touch
+```scene
+molecule: argon-pair
+```
+```touch
+reach: all
+say: Touch an atom.
+goal: 1
+```
+### Question: How many atoms are there?
+- [ ] One → Look again. → counts what hides as one
+- [x] Two → Yes.
+## Slide
+```touch
+press: anywhere
+until: 0.8 N
+say: Push with 0.8 N.
+goal: 1
+```
+## The end
+Done.
+"""
+
+# The platform's page: its runtime, and the lesson in a frame over all of it. What the tests ask of the program is the
+# frame's.
+PLAYER = """<!DOCTYPE html><html><head><style>html, body, iframe { margin: 0; border: 0; width: 100%%; height: 100%%; display: block }</style>
+<script>%s</script></head><body><script>
+  const kept = %s;
+  globalThis.lost = false;
+  const lms = scormRuntime.make("%s", kept, {lost: () => globalThis.lost});
+  globalThis.%s = lms.api;
+  Object.defineProperty(globalThis, "moltact", {get: () => frames[0] && frames[0].moltact});
+</script><iframe src="index.html"></iframe></body></html>"""
+API = {"1.2": "API", "2004": "API_1484_11"}
+
+
+class Platform(PageTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="moltact-platform-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, True)
+        (cls.folder / "hands.md").write_text(LESSON)
+        for kind, option in {"1.2": ["--scorm"], "2004": ["--scorm", "2004"], "cmi5": ["--cmi5"]}.items():
+            archive = cls.folder / f"{kind}.zip"
+            subprocess.run([DESKTOP, "pack", "hands.md", *option, "--page", PAGE, "-o", archive], cwd=cls.folder, check=True,
+                           stdout=subprocess.DEVNULL)
+            with zipfile.ZipFile(archive) as packed:
+                packed.extractall(cls.folder / kind)
+
+    def touch_and_err(self, browser):
+        """The first task, and a wrong answer."""
+        browser.wait_for("task/0", "current")
+        self.press(browser, until=("task/0", "done"))
+        browser.click(next(n for n, w in browser.widgets().items() if n.startswith("question/0/") and w[4] == "One"))
+        browser.wait_for("question/0/feedback", "Look again.")
+
+    def finish(self, browser):
+        browser.click(next(n for n, w in browser.widgets().items() if n.startswith("question/0/") and w[4] == "Two"))
+        browser.wait_for("question/0/feedback", "Yes.")
+        browser.click("lesson/next")
+        browser.wait_for("task/0", "current")
+        self.press(browser, notches=3, until=("task/0", "done"))
+
+    # ---- SCORM
+
+    def play(self, version, kept, browser=None):
+        """A session of the lesson in a browser of its own, unless one is given."""
+        script = (HERE / "scorm_runtime.js").read_text().replace("</script", "<\\/script")
+        (self.folder / version / "player.html").write_text(PLAYER % (script, json.dumps(kept), version, API[version]))
+        browser = browser or self.browser()
+        browser.go(self.url.replace("VERSION", version))
+        browser.until("globalThis.moltact && moltact.page.frames > 1", 120)
+        return browser
+
+    def kept(self, browser):
+        return json.loads(browser.evaluate("JSON.stringify(kept)"))
+
+    def await_kept(self, browser, element, value):
+        browser.until(f"kept[{json.dumps(element)}] === {json.dumps(value)}", 30)
+
+    def end(self, browser):
+        """The platform takes the lesson's frame away; what it has then."""
+        browser.evaluate("document.querySelector('iframe').src = 'about:blank'")
+        browser.until("lms.state() === 'over'", 30)
+        self.assertEqual(json.loads(browser.evaluate("JSON.stringify(lms.faults)")), [])
+        return self.kept(browser)
+
+    def scorm(self, version, learner, mode, status, score, wrong):
+        served = Served(self.folder, "VERSION/player.html")
+        self.url = served.__enter__()
+        self.addCleanup(served.__exit__)
+        first = self.play(version, {learner: "ada", mode: "normal"})
+        first.wait_for("lesson/step", "Touch")
+        self.touch_and_err(first)
+        self.await_kept(first, "cmi.interactions.1.result", wrong)
+        self.picture(first, f"platform-{version}")
+        # The connection is lost while the student goes on: it is said, and sent when it is back.
+        first.evaluate("globalThis.lost = true")
+        first.click("lesson/next")
+        for _ in range(100):
+            if any("does not answer" in said for said in first.said()):
+                break
+            time.sleep(0.2)
+        self.assertTrue(any("does not answer" in said for said in first.said()), first.said())
+        self.picture(first, f"platform-{version}-lost")
+        first.evaluate("globalThis.lost = false")
+        first.evaluate("frames[0].dispatchEvent(new Event('online'))")
+        for _ in range(100):
+            if any("answers again" in said for said in first.said()):
+                break
+            time.sleep(0.2)
+        self.assertTrue(any("answers again" in said for said in first.said()), first.said())
+        kept = self.end(first)
+        self.no_errors(first)
+        first.close()
+        self.assertEqual(kept[status], "incomplete")
+        self.assertEqual(kept[score], "33.33")  # 1 of 3: the answer was wrong at first, and a task is open
+        self.assertEqual(kept["cmi.interactions.0.id"], "task_touch_1")
+        self.assertEqual(kept["cmi.interactions.1.objectives.0.id"], "misconception_counts-what-hides-as-one")
+        self.assertEqual(kept["cmi.objectives.0.score.raw"], "50")
+
+        # Another computer: at the step where the student left, with the work done there.
+        second = self.play(version, kept)
+        second.wait_for("lesson/step", "Slide")
+        second.click("lesson/back")
+        second.wait_for("task/0", "done")
+        second.wait_for("question/0/feedback", "Look again.")
+        self.finish(second)
+        self.await_kept(second, status, "completed")
+        kept = self.end(second)
+        self.assertEqual(kept[score], "66.67")
+        self.assertEqual(kept["cmi.objectives.0.score.raw"], "100")
+        self.assertEqual([kept[f"cmi.interactions.{n}.id"] for n in range(4)],
+                         ["task_touch_1", "question_touch_how-many-atoms-are-there", "question_touch_how-many-atoms-are-there", "task_slide_1"])
+        self.assertNotIn("cmi.interactions.4.id", kept)
+
+    def test_scorm_1_2_resumes_on_another_computer_and_a_lost_connection_is_said_and_loses_nothing(self):
+        self.scorm("1.2", "cmi.core.student_id", "cmi.core.lesson_mode", "cmi.core.lesson_status", "cmi.core.score.raw", "wrong")
+
+    def test_scorm_2004_resumes_on_another_computer_and_a_lost_connection_is_said_and_loses_nothing(self):
+        self.scorm("2004", "cmi.learner_id", "cmi.mode", "cmi.completion_status", "cmi.score.raw", "incorrect")
+
+    def test_two_learners_of_one_browser_do_not_see_each_others_work_and_one_who_lost_the_connection_goes_on(self):
+        with Served(self.folder, "VERSION/player.html") as self.url:
+            browser = self.play("1.2", {"cmi.core.student_id": "ada", "cmi.core.lesson_mode": "normal"})
+            browser.evaluate("globalThis.lost = true")
+            self.touch_and_err(browser)
+            browser.click("lesson/next")
+            browser.wait_for("lesson/step", "Slide")
+            time.sleep(3)  # the page looks every two seconds
+            self.end(browser)
+            self.play("1.2", {"cmi.core.student_id": "bo", "cmi.core.lesson_mode": "normal"}, browser)
+            browser.wait_for("lesson/step", "Touch")
+            browser.wait_for("task/0", "current")
+            self.end(browser)
+            self.play("1.2", {"cmi.core.student_id": "ada", "cmi.core.lesson_mode": "normal"}, browser)
+            browser.wait_for("lesson/step", "Slide")
+            self.await_kept(browser, "cmi.interactions.1.result", "wrong")
+
+    def test_where_no_platform_is_found_it_is_said_and_nothing_is_sent(self):
+        browser = self.browser()
+        for kind in ("1.2", "cmi5"):
+            browser.events.clear()
+            browser.go((self.folder / kind / "index.html").as_uri())
+            browser.until("globalThis.moltact && moltact.page.frames > 1", 120)
+            browser.wait_for("lesson/step", "Touch")
+            for _ in range(50):
+                if any("there is none here" in said for said in browser.said()):
+                    break
+                time.sleep(0.2)
+            self.assertTrue(any("there is none here" in said for said in browser.said()), browser.said())
+            self.assertEqual([url for url in browser.requests() if not url.startswith(("file:", "blob:", "data:"))], [])
+
+    def test_damaged_data_of_the_platform_is_said_and_the_lesson_begins(self):
+        with Served(self.folder, "VERSION/player.html") as self.url:
+            browser = self.play("1.2", {"cmi.core.student_id": "ada", "cmi.core.lesson_mode": "normal", "cmi.suspend_data": "of another program"})
+            browser.wait_for("lesson/step", "Touch")
+            self.assertTrue(any("is damaged" in said for said in browser.said()), browser.said())
+
+    def test_scorm_again_of_npm_takes_every_value(self):
+        npm, node = shutil.which("npm"), shutil.which("node")
+        if not npm or not node:
+            self.skipTest("npm is not installed")
+        folder = self.folder / "npm"
+        folder.mkdir()
+        try:
+            subprocess.run([npm, "pack", SCORM_AGAIN, "--silent"], cwd=folder, check=True, timeout=60, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+        except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
+            self.skipTest("npm's registry cannot be reached")
+        subprocess.run(["tar", "xzf", next(folder.glob("*.tgz")).name], cwd=folder, check=True)
+        subprocess.run([node, HERE / "scorm_again_test.js", folder], check=True)
+
+    # ---- cmi5
+
+    def test_cmi5_sends_the_statements_that_it_requires_and_resumes_on_another_computer(self):
+        with RecordStore(self.folder / "cmi5") as store:
+            first = self.browser()
+            first.go(store.launch())
+            first.until("globalThis.moltact && moltact.page.frames > 1", 120)
+            self.touch_and_err(first)
+            store.wait_for("answered", 2)
+            first.go("about:blank")
+            store.wait_for("terminated", 1)
+            self.assertEqual(store.faults, [])
+            wrong = [s for s in store.statements if s["verb"]["id"].endswith("/answered")][1]
+            self.assertEqual(wrong["result"]["success"], False)
+            self.assertIn(["counts what hides as one"], list(wrong["result"]["extensions"].values()))
+            self.assertTrue(wrong["object"]["id"].endswith("#question_touch_how-many-atoms-are-there"))
+            first.close()
+
+            second = self.browser()
+            second.go(store.launch())
+            second.until("globalThis.moltact && moltact.page.frames > 1", 120)
+            second.wait_for("question/0/feedback", "Look again.")
+            self.finish(second)
+            store.wait_for("completed", 1)
+            second.go("about:blank")
+            store.wait_for("terminated", 2)
+            self.assertEqual(store.faults, [])
+            ids = [s["id"] for s in store.statements]
+            self.assertEqual(len(set(ids)), len(ids))
+            self.assertEqual(sum(s["verb"]["id"].endswith("/answered") for s in store.statements), 4)
+            scored = [s for s in store.statements if s["verb"]["id"].endswith("/scored") and s["object"]["id"] == store.activity]
+            self.assertAlmostEqual(scored[-1]["result"]["score"]["scaled"], 2 / 3, places=4)
+
+
+class RecordStore:
+    """A learning management system with a record store: cmi5 1st edition, sections 7 to 11, over xAPI 1.0.3."""
+
+    CMI5 = "https://w3id.org/xapi/cmi5/context/categories/"
+    SESSION = "https://w3id.org/xapi/cmi5/context/extensions/sessionid"
+    DEFINED = ("initialized", "completed", "passed", "failed", "terminated")
+
+    def __init__(self, folder):
+        self.folder, self.activity = folder, "https://platform.example/au/1"
+        self.registration = str(uuid.uuid4())
+        self.actor = {"objectType": "Agent", "account": {"homePage": "https://platform.example", "name": "ada"}}
+        self.statements, self.states, self.faults, self.tokens, self.session = [], {}, [], set(), 0
+        self.order = {}
+
+    def __enter__(self):
+        store = self
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def __init__(self, *args):
+                super().__init__(*args, directory=str(store.folder))
+
+            def log_message(self, *_):
+                pass
+
+            def answer(self, status, body=None):
+                data = json.dumps(body).encode() if body is not None else b""
+                self.send_response(status)
+                self.send_header("Content-Length", str(len(data)))
+                self.end_headers()
+                self.wfile.write(data)
+
+            def body(self):
+                return self.rfile.read(int(self.headers.get("Content-Length", 0)))
+
+            def do_GET(self):
+                if not self.path.startswith("/xapi/"):
+                    return super().do_GET()
+                self.answer(*store.get(self.path, self.headers))
+
+            def do_POST(self):
+                self.answer(*store.post(self.path, self.headers, self.body()))
+
+            def do_PUT(self):
+                self.answer(*store.put(self.path, self.headers, self.body()))
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+        self.address = f"http://127.0.0.1:{self.server.server_port}"
+        return self
+
+    def __exit__(self, *_):
+        self.server.shutdown()
+        self.server.server_close()
+
+    def launch(self):
+        """The address that begins a session (section 8.1)."""
+        self.session += 1
+        token = f"t{self.session}"
+        self.tokens.add(token)
+        return f"{self.address}/index.html?" + urllib.parse.urlencode({
+            "endpoint": f"{self.address}/xapi/", "fetch": f"{self.address}/token/{token}", "actor": json.dumps(self.actor),
+            "registration": self.registration, "activityId": self.activity})
+
+    def wait_for(self, verb, count):
+        end = time.monotonic() + 60
+        while sum(s["verb"]["id"].endswith("/" + verb) for s in self.statements) < count:
+            if time.monotonic() > end:
+                raise TimeoutError(f"no {verb}: {[s['verb']['id'] for s in self.statements]}; {self.faults}")
+            time.sleep(0.1)
+
+    def must(self, holds, what):
+        if not holds:
+            self.faults.append(what)
+
+    def authorised(self, headers):
+        self.must(headers.get("Authorization") == "Basic " + base64.b64encode(f"s{self.session}".encode()).decode(), "authorization")
+        self.must((headers.get("X-Experience-API-Version") or "").startswith("1.0."), "version")
+
+    def query(self, path):
+        query = {k: v[0] for k, v in urllib.parse.parse_qs(urllib.parse.urlsplit(path).query).items()}
+        if "/activities/state" in path:
+            self.must(query.get("activityId") == self.activity and query.get("registration") == self.registration
+                      and json.loads(query.get("agent", "{}")) == self.actor, "state of " + path)
+        return query
+
+    def get(self, path, headers):
+        self.authorised(headers)
+        query = self.query(path)
+        if path.startswith("/xapi/agents/profile"):
+            self.must(query.get("profileId") == "cmi5LearnerPreferences", "profile")
+            return 404, None
+        if query.get("stateId") == "LMS.LaunchData":
+            return 200, {"contextTemplate": {"contextActivities": {"grouping": [{"id": "urn:uuid:" + str(uuid.UUID(int=7))}]},
+                                             "extensions": {self.SESSION: f"session {self.session}"}},
+                         "launchMode": "Normal", "moveOn": "Completed"}
+        return (200, self.states[query["stateId"]]) if query.get("stateId") in self.states else (404, None)
+
+    def put(self, path, headers, body):
+        self.authorised(headers)
+        self.states[self.query(path)["stateId"]] = json.loads(body)
+        return 204, None
+
+    def post(self, path, headers, body):
+        if path.startswith("/token/"):
+            token = path.split("/")[-1]
+            if token not in self.tokens:
+                return 200, {"error-code": "1", "error-text": "the token was fetched already"}
+            self.tokens.discard(token)
+            return 200, {"auth-token": base64.b64encode(f"s{self.session}".encode()).decode()}
+        self.authorised(headers)
+        self.must(path == "/xapi/statements", path)
+        batch = json.loads(body)
+        if any(s["id"] in {known["id"] for known in self.statements} for s in batch):
+            return 409, None
+        for statement in batch:
+            self.take(statement)
+        return 200, [s["id"] for s in batch]
+
+    def take(self, s):
+        verb, context = s["verb"]["id"].rsplit("/", 1)[-1], s["context"]
+        self.must(s["verb"]["id"] == "http://adlnet.gov/expapi/verbs/" + verb, s["verb"]["id"])
+        self.must(str(uuid.UUID(s["id"])) == s["id"] and s["actor"] == self.actor, "id or actor of " + verb)
+        self.must(s["timestamp"].endswith("Z"), "timestamp of " + verb)
+        self.must(context["registration"] == self.registration, "registration of " + verb)
+        self.must(context["extensions"][self.SESSION] == f"session {self.session}", "session of " + verb)
+        self.must("grouping" in context["contextActivities"], "template of " + verb)
+        categories = [c["id"] for c in context["contextActivities"].get("category", [])]
+        self.must((self.CMI5 + "cmi5" in categories) == (verb in self.DEFINED), "category of " + verb)
+        self.must((self.CMI5 + "moveon" in categories) == (verb in ("completed", "passed", "failed")), "moveon of " + verb)
+        before = self.order.setdefault(self.session, [])
+        self.must((verb == "initialized") == (not before), f"{verb} after {before}")
+        self.must("terminated" not in before, f"{verb} after terminated")
+        before.append(verb)
+        result = s.get("result", {})
+        if verb in self.DEFINED:
+            self.must(s["object"]["id"] == self.activity, "object of " + verb)
+        if verb == "completed":
+            self.must(result.get("completion") is True and "score" not in result and "success" not in result, "result of completed")
+            self.must(sum("completed" in verbs for verbs in self.order.values()) == 1, "completed twice")
+        if verb in ("completed", "terminated"):
+            self.must(result.get("duration", "").startswith("PT"), "duration of " + verb)
+        self.statements.append(s)
+
+
+if __name__ == "__main__":
+    unittest.main()
