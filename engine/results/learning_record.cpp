@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -177,7 +177,7 @@ class Builder {
     out.id = std::move(id);
     out.at_s = t_s;
     if (base_utc_)
-      out.at_utc = utcText(*base_utc_ + std::chrono::seconds(std::llround(std::clamp(t_s - base_s_, 0.0, 1e9))));
+      out.at_utc = utcText(*base_utc_ + std::chrono::seconds(std::int64_t(std::clamp(t_s - base_s_, 0.0, 1e9))));
     return out;
   }
 

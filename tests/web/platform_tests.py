@@ -12,6 +12,7 @@ import time
 import unittest
 import urllib.parse
 import uuid
+import xml.etree.ElementTree
 import zipfile
 
 from page import DESKTOP, PAGE, PageTest, Served
@@ -21,7 +22,7 @@ SCORM_AGAIN = "scorm-again@3.4.3"
 
 LESSON = """---
 title: Hands & <atoms>
-minutes: 3
+minutes: 2
 goals: Touch an atom; Count atoms
 molecules: argon-pair
 author: The Moltact authors
@@ -90,6 +91,40 @@ class Platform(PageTest):
         browser.click("lesson/next")
         browser.wait_for("task/0", "current")
         self.press(browser, notches=3, until=("task/0", "done"))
+
+    def test_the_manifests_have_the_elements_that_the_standards_require_and_name_files_of_the_zip(self):
+        imscp = {"1.2": "http://www.imsproject.org/xsd/imscp_rootv1p1p2", "2004": "http://www.imsglobal.org/xsd/imscp_v1p1"}
+        for kind, space in imscp.items():
+            root = xml.etree.ElementTree.parse(self.folder / kind / "imsmanifest.xml").getroot()
+            names = {"c": space}
+            self.assertEqual(root.tag, f"{{{space}}}manifest")
+            self.assertEqual([child.tag.split("}")[1] for child in root], ["metadata", "organizations", "resources"])
+            self.assertEqual([e.text for e in root.find("c:metadata", names)],
+                             ["ADL SCORM", {"1.2": "1.2", "2004": "2004 4th Edition"}[kind]])
+            organizations = root.find("c:organizations", names)
+            organization = organizations.find(f"c:organization[@identifier='{organizations.get('default')}']", names)
+            self.assertEqual(organization.find("c:title", names).text, "Hands & <atoms>")
+            item = organization.find("c:item", names)
+            self.assertEqual(item.find("c:title", names).text, "Hands & <atoms>")
+            resource = root.find(f"c:resources/c:resource[@identifier='{item.get('identifierref')}']", names)
+            kinds = [value for name, value in resource.attrib.items() if name.lower().endswith("scormtype")]
+            self.assertEqual((resource.get("type"), kinds), ("webcontent", ["sco"]))
+            files = [e.get("href") for e in resource.findall("c:file", names)]
+            self.assertIn(resource.get("href"), files)
+            for file in files:
+                self.assertTrue((self.folder / kind / file).is_file(), file)
+        space = {"c": "https://w3id.org/xapi/profiles/cmi5/v1/CourseStructure.xsd"}
+        root = xml.etree.ElementTree.parse(self.folder / "cmi5" / "cmi5.xml").getroot()
+        self.assertEqual([child.tag.split("}")[1] for child in root], ["course", "objectives", "au"])
+        unit = root.find("c:au", space)
+        self.assertEqual([child.tag.split("}")[1] for child in unit], ["title", "description", "objectives", "url"])
+        self.assertEqual([e.text for e in unit.findall("c:title/c:langstring", space)], ["Hands & <atoms>"])
+        self.assertTrue((self.folder / "cmi5" / unit.find("c:url", space).text).is_file())
+        goals = {e.get("id"): e.find("c:title/c:langstring", space).text for e in root.findall("c:objectives/c:objective", space)}
+        self.assertEqual(list(goals.values()), ["Touch an atom", "Count atoms"])
+        self.assertEqual([e.get("idref") for e in unit.findall("c:objectives/c:objective", space)], list(goals))
+        for iri in [root.find("c:course", space).get("id"), unit.get("id"), *goals]:
+            self.assertRegex(iri, r"^urn:uuid:[0-9a-f-]{36}(#\w+)?$")
 
     # ---- SCORM
 
@@ -253,6 +288,17 @@ class Platform(PageTest):
             self.assertEqual(sum(s["verb"]["id"].endswith("/answered") for s in store.statements), 4)
             scored = [s for s in store.statements if s["verb"]["id"].endswith("/scored") and s["object"]["id"] == store.activity]
             self.assertAlmostEqual(scored[-1]["result"]["score"]["scaled"], 2 / 3, places=4)
+
+    def test_a_cmi5_session_that_cannot_begin_is_said_and_the_lesson_opens_without_a_report(self):
+        with RecordStore(self.folder / "cmi5") as store:
+            address = store.launch()
+            store.tokens.clear()  # as when another browser has taken the token
+            browser = self.browser()
+            browser.go(address)
+            browser.until("globalThis.moltact && moltact.page.frames > 1", 120)
+            browser.wait_for("lesson/step", "Touch")
+            self.assertTrue(any("did not answer when this page began" in said for said in browser.said()), browser.said())
+            self.assertEqual(store.statements, [])
 
 
 class RecordStore:
