@@ -187,12 +187,12 @@ const moltactPlatform = (() => {
 
     async commit() { return this.ended || this.call("commit", ""); }
 
-    // The page closes. Synchronous, as SCORM is.
+    // The page closes. Synchronous, as SCORM is. A finished lesson is suspended too: after another exit a platform may
+    // drop its data and its completion at the next visit.
     end() {
       if (this.ended) return;
       this.ended = true;
       try {
-        if (this.mode === "normal" && this.complete) this.set(this.old ? "cmi.core.exit" : "cmi.exit", this.old ? "" : "normal");
         this.call("commit", "");
         this.call("terminate", "");
       } catch (error) { console.warn("the learning platform: " + error); }

@@ -126,7 +126,7 @@ async function scorm(version) {
   assert.strictEqual(kept["cmi.interactions.4.id"], "task_one_1");
   assert.strictEqual(kept[words.time], version === "1.2" ? "0000:00:16.00" : "PT16S");
   await b.reporter.step(true, 4000);
-  assert.strictEqual(kept[words.exit], version === "1.2" ? "" : "normal");
+  assert.strictEqual(kept[words.exit], "suspend");
   assert.deepStrictEqual(b.lms.faults, []);
 
   // A platform without interactions, and one that only shows the lesson.
