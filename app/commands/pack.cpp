@@ -123,10 +123,8 @@ void addPack(CLI::App& app) {
               "or 2004 (4th edition)")
           ->type_name("[1.2|2004]")
           ->expected(0, 1)
-          ->transform(CLI::Validator(
-              [](std::string& edition) {
-                // The parser gives one of these values if none follows.
-                if (edition.empty() || edition == "{}" || edition == "true") edition = "1.2";
+          ->check(CLI::Validator(
+              [](const std::string& edition) {
                 return edition == "1.2" || edition == "2004"
                            ? std::string()
                            : "'" + edition + "' is no edition of SCORM: write --scorm 1.2 or --scorm 2004";
@@ -142,7 +140,10 @@ void addPack(CLI::App& app) {
       ->add_option("--page", arguments->page,
                    "The browser edition to use (default: the moltact.html that was built or installed)")
       ->type_name(kFileType);
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, scorm] {
+    if (scorm->count() > 0 && arguments->scorm.empty()) arguments->scorm = "1.2";
+    run(*arguments);
+  });
 }
 
 }  // namespace moltact
