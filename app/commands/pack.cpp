@@ -125,7 +125,7 @@ void addPack(CLI::App& app) {
           ->expected(0, 1)
           ->check(CLI::Validator(
               [](const std::string& edition) {
-                return edition == "1.2" || edition == "2004"
+                return edition.empty() || edition == "1.2" || edition == "2004"
                            ? std::string()
                            : "'" + edition + "' is no edition of SCORM: write --scorm 1.2 or --scorm 2004";
               },
