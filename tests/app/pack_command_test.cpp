@@ -81,7 +81,7 @@ TEST_CASE(
       "<html><script id=\"platform-script\"></script><!--a lesson comes here--><script>program</script></html>");
   std::string evil = kLesson;
   evil.replace(evil.find("Haem"), 4, "H<a>em & \"]]>\" 'ä'");
-  evil.replace(evil.find("goals: G"), 8, "goals: <G> & more; Say it");
+  evil.replace(evil.find("goals: G"), 8, "goals:\n  - <G> & more\n  - Say it");
   place.write("evil.md", evil);
   struct Case {
     std::string option, file, manifest, kind, mark;

@@ -23,7 +23,9 @@ SCORM_AGAIN = "scorm-again@3.4.3"
 LESSON = """---
 title: Hands & <atoms>
 minutes: 2
-goals: Touch an atom; Count atoms
+goals:
+  - Touch an atom
+  - Count atoms
 molecules: argon-pair
 author: The Moltact authors
 licence: CC-BY-4.0
