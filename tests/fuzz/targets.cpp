@@ -42,6 +42,7 @@ constexpr Target kTargets[] = {
     {"body-path", bodyPath},
     {"imd", imd},
     {"simulation-message", simulationMessage},
+    {"modes", modes},
 };
 
 }  // namespace
