@@ -38,7 +38,8 @@ Expected<AtomPositions> FrameStore::placed(std::size_t frame) {
     kept_.erase(order_.front());
     order_.pop_front();
   }
-  kept_.emplace(frame, Kept{out, read->time_ps, leapLimitOf(*read)});
+  last_limit_A_ = leapLimitOf(*read);
+  kept_.emplace(frame, Kept{out, read->time_ps, last_limit_A_});
   order_.push_back(frame);
   return out;
 }
@@ -50,7 +51,7 @@ std::optional<double> FrameStore::time_ps(std::size_t frame) const {
 
 double FrameStore::leapLimit_A(std::size_t frame) const {
   const auto found = kept_.find(frame);
-  return found == kept_.end() ? 0.0 : found->second.leap_limit_A;
+  return found == kept_.end() ? last_limit_A_ : found->second.leap_limit_A;
 }
 
 Expected<AtomPositions> FrameStore::at(std::size_t frame, std::size_t smoothing) {

@@ -34,8 +34,8 @@ class FrameStore {
   Expected<AtomPositions> at(std::size_t frame, std::size_t smoothing = 0);
   /// The time of a frame that is kept; empty if it is not, or has none.
   std::optional<double> time_ps(std::size_t frame) const;
-  /// Half of the shortest edge of the periodic cell of a frame that is kept: a covalent molecule that moves farther from
-  /// one frame to the next leaps. 0 without a cell.
+  /// Half of the shortest edge of the periodic cell of a frame that is kept, else of the one that was read last: a covalent
+  /// molecule that moves farther from one frame to the next leaps. 0 without a cell.
   double leapLimit_A(std::size_t frame) const;
 
  private:
@@ -50,6 +50,7 @@ class FrameStore {
   };
   std::map<std::size_t, Kept> kept_;
   std::list<std::size_t> order_;  // of kept_, the oldest first
+  double last_limit_A_ = 0.0;     // leapLimit_A of the frame that was read last
 };
 
 /// The positions between two frames: linear.

@@ -52,6 +52,7 @@ void AtomMotion::follow(double dt_s) {
   since_seen_s_ = 0.0;
   const SharedArray<Sphere> places = motion->at(now.fraction);
   seen_ = std::make_shared<const Molecule>(model_.molecule->movedTo(places));
+  if (frames_since_drawn_ > kShown_frames) drawn_.reset();
   model_ = movedModel(model_, *motion, places);
 }
 

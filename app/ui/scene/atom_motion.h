@@ -25,7 +25,7 @@ class AtomMotion {
 
   /// The molecule as the picture shows it: seen(), or what the owner has shown since.
   const std::shared_ptr<const Molecule>& drawn() const { return drawn_ ? drawn_ : seen(); }
-  /// Draws the atoms at these positions (one sphere for each) until they are placed; the felt ones follow by move(). Does
+  /// Draws the atoms at these positions (one sphere for each) until others are seen; the felt ones follow by move(). Does
   /// nothing in every second frame where frames take longer than kQuickFrame_s.
   void show(const SharedArray<Sphere>& at);
 
@@ -47,6 +47,8 @@ class AtomMotion {
   /// Whether a motion of atoms has not been drawn to its end.
   bool moving() const { return motion_ && !(seen_motion_ == motion_->serial() && seen_fraction_ == 1.0); }
   static constexpr double kQuickFrame_s = 0.02;
+  /// What show() has set is drawn for so many frames after the last call, if the felt atoms move meanwhile.
+  static constexpr int kShown_frames = 10;
 
  private:
   bool tooSoon() const { return since_seen_s_ < (frame_after_s_ > kQuickFrame_s ? 2.0 : 1.0) * frame_after_s_ - 1e-9; }
