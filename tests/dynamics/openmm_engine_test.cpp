@@ -309,7 +309,7 @@ TEST_CASE(
     ++compared;
     CHECK((*other)->measured_steps_per_s() == 0.0);
     const double others = rateOf(**other);
-    MESSAGE(platform, " ", others, " steps per second; chosen: ", chosen->platform(), " ", rate);
+    MESSAGE(named.platform, " ", others, " steps per second; chosen: ", chosen->platform(), " ", rate);
     CHECK(rate >= 0.5 * others);
   }
   CHECK(compared >= 1);
