@@ -390,6 +390,7 @@ void PlayedTrajectory::beforeTicks() {
     close();
     return messages_.notice(tr("Forces between atoms act in a molecule at rest. The trajectory has been closed."));
   }
+  if (at_end != AtEnd::Return) direction_ = 1;  // the user may have chosen another end on the way back
   request();
   paintFluctuation();
   if (shown_ && !scene_.playedHand().on()) shown_.reset();
