@@ -295,9 +295,9 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Text,
        .meaning =
            "The radius of a tip, at most 20 Å, that scans the molecule line by line from the viewer's side, like an "
-           "atomic force microscope; the height picture grows in the view, and '0 Å' ends it. With '10 Å, 100 pN' the "
-           "tip presses with this constant force, at most 10000 pN. The scanned surface can then be touched instead of "
-           "the atoms, but touching it does not count for tasks.",
+           "atomic force microscope; '10 Å, 100 pN' presses it with a constant force, and '0 Å' ends it. The height "
+           "picture grows in the view; the scanned surface can then be touched instead of the atoms, but touching "
+           "it does not count for tasks.",
        .fallback = "0 Å"},
       {.name = "simulation",
        .type = ValueType::Text,
