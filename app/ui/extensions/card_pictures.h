@@ -63,7 +63,7 @@ class CardPictures : public Extension {
 
   void finish(Job job);
 
-  std::map<std::string, std::unique_ptr<Card>> cards_;  // by their subjects, in the present theme
+  std::map<std::string, std::unique_ptr<Card>> cards_;       // by their subjects, in the present theme
   std::vector<std::pair<std::string, CardSubject>> wanted_;  // of this frame, not begun
   bool waiting_ = false;                                     // pictures were wanted in the last frame
   std::future<Job> job_;
