@@ -1,4 +1,4 @@
-// A body in the hand, and a probe, while a trajectory moves the molecule. Oracles: the overlap over all pairs of spheres at
+// A body in the hand while a trajectory moves the rest of the molecule. Oracles: the overlap over all pairs of spheres at
 // each tick, and the same motion in steps ten times as fine.
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include "app/ui/extensions/played_trajectory.h"
 #include "engine/bench/bodies/body_trade_off.h"
 #include "engine/haptics/body/exact_body.h"
-#include "engine/haptics/methods.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_step.h"
 #include "tests/app/scripted_user_fixture.h"
@@ -54,11 +53,10 @@ void writeBreathing(const fs::path& file) {
   }
 }
 
-std::string lesson(const char* speed, const char* ligand = "in-hand") {
+std::string lesson(const char* speed) {
   return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n## One\n```scene\n"
-         "molecule: 1hpv\n" +
-         std::string(ligand) + ": ligand\ntrajectory: breath.pdb, not superposed\nspeed: " + std::string(speed) +
-         "\n```\nText.\n";
+         "molecule: 1hpv\nin-hand: ligand\ntrajectory: breath.pdb, not superposed\nspeed: " +
+         std::string(speed) + "\n```\nText.\n";
 }
 
 }  // namespace
@@ -171,68 +169,6 @@ TEST_CASE(
           " A");
   CHECK(judged > 1000);
   CHECK(off == 0);
-}
-
-TEST_CASE(
-    "with a device's probe, recorded: in each tick of a breathing protein in which the probe of the method exact "
-    "touches, "
-    "it rests within 0.02 A of where the same motion in steps ten times as fine leaves it, but for ticks in which it "
-    "slips over an edge; these are fewer than one in a hundred") {
-  const ScratchFolder scratch;
-  writeBreathing(scratch.path / "breath.pdb");
-  writeFile(scratch.path / "mine.md", lesson("6", "remove"));
-  const fs::path file = scratch.path / "hand.recording";
-  {
-    const auto user = startWith((scratch.path / "mine.md").string());
-    REQUIRE_FALSE(user->app().scene.stage().body);
-    user->app().extensions().device.choose("simulated");
-    user->frames(60);
-    user->app().extensions().hand_recorder.record(file);
-    REQUIRE(user->app().extensions().hand_recorder.recording());
-    user->frames(480);
-    user->app().extensions().hand_recorder.stop();
-  }
-  const Expected<ServoRecording> recorded = readServoRecording(file);
-  REQUIRE(recorded);
-  REQUIRE(recorded->start);
-  REQUIRE(recorded->motions.size() > 20);
-  const RecordedScene scene = recordedScene(recorded->labels, SharedArray<Sphere>(recorded->placed));
-  const double probe_A = recorded->ticks.front().settings.probe_A;
-  const auto coarse = findMethod("exact")->make(scene.spheres, probe_A),
-             fine = findMethod("exact")->make(scene.spheres, probe_A);
-  MotionReplay motions(recorded->motions, *scene.spheres);
-  ServoStep step = *recorded->start;
-  int judged = 0, off = 0;
-  double worst_A = 0.0, step_A = 0.0;
-  std::optional<ServoSample> before;
-  for (const RecordedTick& tick : recorded->ticks) {
-    if (tick.other_device) step.setDevice(tick.device);
-    const auto phase = motions.at(tick.motion, tick.motion_tick);
-    REQUIRE(phase);
-    const ServoSample now = step.tick(tick.settings, coarse.get(), tick.pose, tick.time, *phase);
-    const bool other = fine->setMotion(phase->motion) && before && before->motion != now.motion;
-    const double from = other || !before ? 0.0 : before->fraction;
-    const ServoSample start = before.value_or(now);
-    Contact f;
-    for (int k = 1; k <= 10; ++k) {
-      const double share = k / 10.0;
-      if (phase->motion) fine->advanceTo(from + (phase->fraction - from) * share);
-      f = fine->step({start.hip.A + (now.hip.A - start.hip.A) * share});
-    }
-    if (now.contact.touching() && f.touching() && before && now.motion > 0) {
-      ++judged;
-      const double apart = glm::distance(now.contact.displacement_A, f.displacement_A);
-      worst_A = std::max(worst_A, apart);
-      off += apart > 0.02;
-      if (before->contact.touching())
-        step_A = std::max(step_A, glm::distance(now.contact.displacement_A, before->contact.displacement_A));
-    }
-    before = now;
-  }
-  MESSAGE(judged, " ticks judged, ", off, " apart, at most ", worst_A, " A; greatest step of the spring ", step_A,
-          " A");
-  CHECK(judged > 1000);
-  CHECK(off * 100 < judged);
 }
 
 }  // namespace moltact
