@@ -160,7 +160,7 @@ void dockDeafAndBlind(BlindWindow& w, std::uint64_t seed) {
   }
 }
 
-const std::array<Vec3, 5> kStarts{Vec3(0.0), Vec3(3.0, 0.0, 0.0), Vec3(-3.0, 1.0, 0.0), Vec3(0.0, 4.0, 1.0),
+const std::array<Vec3, 5> kStarts{Vec3(0.0), Vec3(-4.0, 3.0, 0.0), Vec3(-3.0, 1.0, 0.0), Vec3(0.0, 4.0, 1.0),
                                   Vec3(1.0, -4.0, -1.0)};
 
 }  // namespace
@@ -172,34 +172,25 @@ TEST_CASE(
   int found_by_chance = 0;
   for (std::size_t k = 0; k < kStarts.size(); ++k) {
     CAPTURE(k);
-    BlindWindow w;
-    REQUIRE(w.d->app().extensions().reveal_policy.all());
-    w.move(kStarts[k]);
-    const PointA deepest = deepestPlace(w);
-    const double from_A = glm::distance(w.body().A, deepest.A);
-    CHECK(from_A > 2.0);
-    dockByEarAndArrow(w);
-    const double off_A = glm::distance(w.body().A, deepest.A);
-    MESSAGE("from " << from_A << " A to " << off_A << " A");
-    CHECK(off_A < 0.7);
-    BlindWindow other;
+    PointA deepest;
+    {
+      BlindWindow w;
+      REQUIRE(w.d->app().extensions().reveal_policy.all());
+      w.move(kStarts[k]);
+      deepest = deepestPlace(w);
+      const double from_A = glm::distance(w.body().A, deepest.A);
+      CHECK(from_A > 2.0);
+      dockByEarAndArrow(w);
+      const double off_A = glm::distance(w.body().A, deepest.A);
+      MESSAGE("from " << from_A << " A to " << off_A << " A");
+      CHECK(off_A < 0.7);
+    }
+    BlindWindow other;  // one window at a time
     other.move(kStarts[k]);
     dockDeafAndBlind(other, k + 1);
     found_by_chance += glm::distance(other.body().A, deepest.A) < 0.7;
   }
   CHECK(found_by_chance <= 2);
-}
-
-TEST_CASE("a scene that draws nothing and hides the force shows no energy, and nothing hums; with the force both do") {
-  for (const bool shown : {false, true}) {
-    CAPTURE(shown);
-    BlindWindow w(shown ? "hide: all\n" : "hide: all\nshow: atoms\n");
-    w.move({0.0, 0.0, -1.0});
-    REQUIRE(w.scene().log().latest().molecular_energy);
-    REQUIRE(w.scene().log().latest().molecular_energy->total_kcal_mol() < -1.0);
-    CHECK(w.d->shows("view/energy") == shown);
-    CHECK(heardHum_Hz(w.heard()).has_value() == shown);
-  }
 }
 
 }  // namespace moltact

@@ -21,7 +21,7 @@ TEST_CASE(
   HapticSession& scene = d->app().scene;
   REQUIRE(scene.stage().body);
   CHECK(scene.stage().body->atoms == scene.stage().spheres->untouchable());
-  CHECK(*scene.look.hidden == scene.stage().body->atoms);
+  CHECK(*scene.look.atoms.hidden == scene.stage().body->atoms);
   CHECK(scene.touch().interaction == "exact-body");
   d->point("view");
   d->frames(30);

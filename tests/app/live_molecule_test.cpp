@@ -115,7 +115,7 @@ TEST_CASE(
     if (const auto* moved = std::get_if<AtomsMoved>(&e.what)) engines.push_back(moved->engine);
   REQUIRE(engines.size() > 2);
   CHECK(engines[0].starts_with("OpenMM "));
-  CHECK(engines[0].ends_with(", steps of 4 fs, seed 1"));
+  CHECK(engines[0].ends_with(", steps of 4 fs, seed 1; alanine-dipeptide.xml"));
   CHECK(engines[1].empty());
   for (const AttemptEvent& e : attempt->events)
     if (const auto* moved = std::get_if<AtomsMoved>(&e.what); moved && moved->position > 1.0)

@@ -328,7 +328,8 @@ TEST_CASE(
     if (file.starts_with("tests/")) continue;
     const std::string code = halvesOf(textOf(kSource / file)).code;
     if (code.find("std::async(") == std::string::npos && code.find("inBackground(") == std::string::npos &&
-        code.find("= std::thread(") == std::string::npos && code.find("std::jthread>") == std::string::npos)
+        code.find("= std::thread(") == std::string::npos && code.find("std::jthread>") == std::string::npos &&
+        code.find("<std::thread>") == std::string::npos)
       continue;
     ++found;
     const fs::path path(file);

@@ -44,7 +44,6 @@ bool PathWatch::tunnelled(const PoseA& now, const SphereMotion* motion) {
   bool out = apart_ || !begun_ || !samePose(now, at_);
   for (const Step& s : steps_) out = out || leadsThrough(s, motion);
   steps_.clear();
-  at_ = now;
   been_.assign(1, at_);
   apart_ = false;
   return out;
