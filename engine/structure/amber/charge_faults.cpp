@@ -15,8 +15,9 @@ std::string chargeFaults(const PairAtoms& assigned) {
   bool same_place = false, fractional = false;
   for (const PairAtoms::Note& note : assigned.notes) {
     if (note.kind == Kind::UnknownElement) unknown.insert(note.residue);
-    if (note.kind == Kind::NoTemplate) without.insert(note.residue);
-    if (note.kind == Kind::OtherAtoms || note.kind == Kind::MissingAtoms) incomplete.insert(note.residue);
+    if (note.kind == Kind::NoTemplate && !assigned.file_charges) without.insert(note.residue);
+    if ((note.kind == Kind::OtherAtoms || note.kind == Kind::MissingAtoms) && !assigned.file_charges)
+      incomplete.insert(note.residue);
     same_place = same_place || note.kind == Kind::SamePlace;
     fractional = fractional || note.kind == Kind::FractionalCharge;
   }

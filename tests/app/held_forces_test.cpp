@@ -1,0 +1,307 @@
+// What is held in forces between atoms: its lines and figures in the window against the test's own sums, the energy
+// balance of a change while it is held, and the mouse that a well leads. Ticks run on the frames' clock.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/view_overlays.h"
+#include "engine/bench/energies/double_sum.h"
+#include "engine/haptics/field/minimise_pose.h"
+#include "engine/render/glyphs.h"
+#include "tests/app/scripted_user_fixture.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kNewtonsPerKcalMolA = 4184.0 / 6.02214076e23 / 1e-10;  // 6.9477e-11
+
+const std::string kHead =
+    "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules:\n  - 1hpv\n  - 1ubq\nauthor: A\nlicence: L\n---\n";
+const std::string kDrug = "```scene\nmolecule: 1hpv\nin-hand: ligand\nforces: all\n";
+const std::string kProbe = "```scene\nmolecule: 1ubq\nforces: all\nprobe-charge: 1\n";
+
+struct HeldWindow {
+  Scratch scratch;
+  std::unique_ptr<ScriptedUser> d;
+
+  explicit HeldWindow(const std::string& scene, const std::string& more = "") {
+    ScriptedUser::Options tall;
+    tall.height = 1100;  // the whole touch tab is in view
+    d = startWith(scratch.file("mine.md", kHead + "## One\n" + scene + more + "```\nText.\n").string(), std::move(tall));
+    d->app().panels.tabs.open("touch");
+    d->frames(5);
+  }
+  HapticSession& scene() { return d->app().scene; }
+  ServoSample latest() { return scene().log().latest(); }
+  void pressAt(double x, double y, int frames) {
+    d->point("view", x, y);
+    d->frames(10);
+    d->press();
+    d->frames(frames);
+  }
+  /// Every tick of this number of frames.
+  std::vector<ServoSample> ticks(int frames) {
+    std::vector<ServoSample> out;
+    for (int k = 0; k < frames; ++k) {
+      d->frames(1);
+      for (const ServoSample& s : scene().servo().everyTick()) out.push_back(s);
+    }
+    return out;
+  }
+  const PairField& field() { return *scene().forces().field(); }
+  bench::DoubleSum sum(std::vector<PairAtom> held) {
+    REQUIRE(field().model.kind == Dielectric::MehlerSolmajer);
+    return bench::DoubleSum(field().places, field().atoms, std::move(held), field().model.cutoff_A, false);
+  }
+  double energyAt(const PoseA& pose) { return sum(field().held).at(pose).energy.total_kcal_mol(); }
+};
+
+// The numbers in a sentence, in order.
+std::vector<double> numbersIn(const std::string& text) {
+  std::vector<double> out;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool sign = text[at] == '-' && at + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 1]));
+    if (!sign && !std::isdigit(static_cast<unsigned char>(text[at]))) {
+      ++at;
+      continue;
+    }
+    std::size_t length = 0;
+    out.push_back(std::stod(text.substr(at), &length));
+    at += length;
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the clashes drawn are all pairs of atoms whose own Lennard-Jones sum is 1 kcal/mol or more, the hydrogen bonds lie "
+    "between nitrogen and oxygen within 3.5 A, each line is dashed and says its length") {
+  HeldWindow w(kDrug);
+  std::size_t bonds = 0, clashes = 0;
+  for (const double y : {0.5, 0.6, 0.42}) {
+    CAPTURE(y);
+    w.pressAt(0.5, y, 200);
+    const ForceWatch& forces = w.scene().forces();
+    const ViewScene picture = seenScene(w.d->app());
+    const PoseA pose = w.latest().shownBody();
+    const HeldBody& body = *w.scene().stage().body;
+    const Molecule& m = *w.scene().stage().molecule;
+    // Every pair of the forces' atoms, hydrogens with the atom that carries them.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> right, bonded, clashing;
+    for (std::size_t a = 0; a < w.field().held.size(); ++a)
+      for (std::size_t b = 0; b < w.field().atoms.size(); ++b) {
+        const PairAtom &held = w.field().held[a], &other = w.field().atoms[b];
+        const double r = glm::distance(pose.place.A + pose.orientation * held.centre_A, other.centre_A);
+        const double six = std::pow((double(held.half_minimum_A) + double(other.half_minimum_A)) / r, 6.0);
+        const double energy =
+            std::sqrt(double(held.depth_kcal_mol) * double(other.depth_kcal_mol)) * (six * six - 2.0 * six);
+        if (energy >= 1.0) right.insert({body.atoms[w.field().held_carriers[a]], w.field().carriers[b]});
+      }
+    for (const HeldLine& line : forces.lines()) {
+      (line.clash ? clashing : bonded).insert({line.held, line.scene});
+      CHECK(glm::distance(line.to.A, m.spheres[line.scene].centre_A) < 1e-9);
+      if (line.clash) continue;
+      CHECK(glm::distance(line.from.A, line.to.A) <= 3.5);
+      for (const std::uint32_t atom : {line.held, line.scene})
+        CHECK((m.atoms[atom].atomic_number == 7 || m.atoms[atom].atomic_number == 8));
+    }
+    for (const auto& pair : bonded) right.erase(pair);
+    CHECK(clashing == right);
+    bonds += bonded.size(), clashes += clashing.size();
+    REQUIRE((picture.held_lines != nullptr) == !forces.lines().empty());
+    if (picture.held_lines) {
+      REQUIRE(picture.held_lines->measures.size() == forces.lines().size());
+      for (std::size_t k = 0; k < forces.lines().size(); ++k) {
+        const Annotations::Measure& drawn = picture.held_lines->measures[k];
+        const HeldLine& line = forces.lines()[k];
+        CHECK(drawn.line == (line.clash ? Annotations::Line::Clash : Annotations::Line::Bond));
+        const std::vector<double> says = numbersIn(drawn.text);
+        REQUIRE(says.size() == 1);
+        CHECK(std::abs(says[0] - glm::distance(line.from.A, line.to.A)) < 0.0501);
+      }
+      ViewScene without = picture;
+      without.held_lines.reset();
+      Glyphs with_lines, bare;
+      addGlyphs(picture, nullptr, with_lines);
+      addGlyphs(without, nullptr, bare);
+      CHECK(with_lines.strokes.size() > bare.strokes.size() + forces.lines().size());
+    }
+    w.d->release();
+    w.d->frames(30);
+  }
+  MESSAGE(bonds, " hydrogen bonds and ", clashes, " clashes in three poses");
+  CHECK(bonds > 0);
+  CHECK(clashes > 0);
+}
+
+TEST_CASE(
+    "the touch tab's figures: 1 N in the hand is the coupling's force in pN and kcal/mol/A, the force between the atoms "
+    "is the slope of the sum in double precision, and the point on the curve is the atom of highest energy and its "
+    "asinh") {
+  // 100 N/m are 10 000 pN for each angstrom between hand and body.
+  for (const auto& [more, coupling_pN_per_A] : {std::pair{"coupling: 100 N/m\n", 1e4}, std::pair{"coupling: 20 N/m\n", 2e3}}) {
+    CAPTURE(more);
+    HeldWindow w(kDrug, more);
+    w.pressAt(0.5, 0.5, 240);
+    const ServoSample s = w.latest();
+    REQUIRE(glm::length(s.force.N) > 0.1);
+    const double apart_A = glm::distance(s.shownBody().place.A, s.hip.A), felt_N = glm::length(s.wanted().force_N);
+    const std::vector<double> scale = numbersIn(w.d->text("force_scale"));  // "1 N in the hand is 7,200 pN or ..."
+    REQUIRE(scale.size() == 3);
+    CHECK(scale[0] == 1.0);
+    CHECK(scale[1] == doctest::Approx(coupling_pN_per_A * apart_A / felt_N).epsilon(0.01));
+    CHECK(scale[2] == doctest::Approx(scale[1] * 1e-12 / kNewtonsPerKcalMolA).epsilon(0.01));
+
+    // The slope of the energy without the bound of walls, by differences of 1e-4 A.
+    bench::DoubleSum sum = w.sum(w.field().held);
+    Vec3 slope(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      PoseA up = s.shownBody(), down = up;
+      up.place.A[axis] += 1e-4, down.place.A[axis] -= 1e-4;
+      slope[axis] = (sum.at(up).energy.total_kcal_mol() - sum.at(down).energy.total_kcal_mol()) / 2e-4;
+    }
+    const std::vector<double> between = numbersIn(w.d->text("force_between"));
+    REQUIRE(between.size() == 3);
+    CHECK(std::abs(between[1] - glm::length(slope)) < 0.051 + 1e-3 * glm::length(slope));
+    CHECK(between[0] == doctest::Approx(between[1] * kNewtonsPerKcalMolA * 1e12).epsilon(0.01).scale(10.0));
+    CHECK(between[2] == doctest::Approx(scale[1] * glm::length(s.force.N)).epsilon(0.02));
+
+    double highest = -1e300;
+    for (const PairAtom& one : w.field().held)
+      highest = std::max(highest, w.sum({one}).at(s.shownBody()).energy.total_kcal_mol());
+    const std::vector<double> point = numbersIn(w.d->text("plot/felt_energy"));
+    REQUIRE(point.size() == 2);
+    CHECK(std::abs(point[0] - highest) < 0.051 + 1e-3 * std::abs(highest));
+    CHECK(std::abs(point[1] - (highest > 0.0 ? std::asinh(highest) : highest)) < 0.052);
+  }
+}
+
+namespace {
+
+// The work of the force on the hand and the energy that coupling and field lose, from tick to tick at the scale and gain
+// of the tick (unit: N mm). A loop of stiffness K that is sampled gives at most K |dx|^2 more in a tick.
+struct Balance {
+  double work = 0.0, lost = 0.0, sampled = 0.0, greatest_step_N = 0.0, greatest_N = 0.0;
+
+  void add(const ServoSample& from, const ServoSample& to, double A_per_mm) {
+    const double k = to.molecular_energy->coupling_kcal_mol_A2, N_per_kcal_mol_A = to.spring_N_per_A / k;
+    const Vec3 moved_mm = to.hand.mm - from.hand.mm;
+    const double wanted_N = glm::length(to.wanted().force_N);
+    const double gain = wanted_N > 1e-6 ? std::min(1.0, glm::length(to.force.N) / wanted_N) : 0.0;
+    work += glm::dot(to.force.N, moved_mm);
+    lost += gain * N_per_kcal_mol_A * (stored(from) - stored(to)) / A_per_mm;
+    sampled += to.spring_N_per_A * A_per_mm * glm::dot(moved_mm, moved_mm);
+    greatest_step_N = std::max(greatest_step_N, glm::distance(from.force.N, to.force.N));
+    greatest_N = std::max(greatest_N, glm::length(to.force.N));
+  }
+  static double stored(const ServoSample& s) {
+    const Vec3 away = s.shownBody().place.A - s.hip.A;
+    return 0.5 * s.molecular_energy->coupling_kcal_mol_A2 * glm::dot(away, away) + s.molecular_energy->felt_kcal_mol;
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "gain of weak forces, medium, coupling and stiffness are changed while a probe is held and pulled about: each change "
+    "begins with less than 0.02 N or follows by less than 0.05 N in a tick, and the hand gets no more work than coupling "
+    "and field lose") {
+  HeldWindow w(kProbe);
+  w.pressAt(0.5, 0.5, 150);
+  REQUIRE(w.latest().molecular_energy);
+  struct Change {
+    const char* what;
+    std::function<void(TouchSetup&)> make;
+    bool begins;  // a new interaction, whose force starts softly
+  };
+  const auto gain = [](double g) { return [g](TouchSetup& t) { t.weak_gain = g; }; };
+  const auto medium = [](const char* name) { return [name](TouchSetup& t) { t.dielectric = name; }; };
+  const auto coupling = [](double c) { return [c](TouchSetup& t) { t.coupling_N_per_mm = c; }; };
+  const auto stiffness = [](double k) { return [k](TouchSetup& t) { t.stiffness_N_per_mm = k; }; };
+  const std::vector<Change> changes{{"gain 4", gain(4.0), true},         {"stiffness 1.5", stiffness(1.5), false},
+                                    {"gain 8", gain(8.0), true},         {"gain 1", gain(1.0), true},
+                                    {"vacuum", medium("vacuum"), true},  {"stiffness 0.1", stiffness(0.1), false},
+                                    {"water", medium("water"), true},    {"coupling 50 N/m", coupling(0.05), true},
+                                    {"distance", medium("distance"), true}, {"coupling 2 N/m", coupling(0.002), true},
+                                    {"stiffness 0.5", stiffness(0.5), false}, {"water again", medium("water"), true}};
+  double x = 0.5;
+  double greatest_N = 0.0, moved_mm = 0.0;
+  for (const Change& change : changes) {
+    CAPTURE(change.what);
+    ServoSample last = w.latest();
+    TouchSetup touch = w.scene().touch();
+    change.make(touch);
+    w.scene().setTouch(touch);
+    const double A_per_mm = w.scene().servo_settings.workspace.A_per_mm;
+    Balance balance;
+    bool first = true;
+    std::size_t count = 0;
+    for (int frame = 0; frame < 90; ++frame) {
+      // The pointer wanders, so that the hand is pulled out of its balance and gives way.
+      x += frame % 30 < 15 ? 0.001 : -0.001;
+      w.d->point("view", x, 0.5);
+      for (const ServoSample& now : w.ticks(1)) {
+        REQUIRE(now.molecular_energy);
+        CHECK(now.contact.fault == Fault::None);
+        if (first && change.begins)
+          CHECK(glm::length(now.force.N) < 0.02);
+        else if (now.tick == last.tick + 1 && now.scene == last.scene)
+          balance.add(last, now, A_per_mm);
+        moved_mm += glm::distance(now.hand.mm, last.hand.mm);
+        first = false;
+        last = now;
+        ++count;
+      }
+    }
+    CHECK(count > 1000);
+    CAPTURE(balance.lost);
+    CAPTURE(balance.sampled);
+    CHECK(balance.work <= balance.lost + balance.sampled + 0.01);
+    CHECK(balance.greatest_step_N < 0.05);
+    greatest_N = std::max(greatest_N, balance.greatest_N);
+    MESSAGE(change.what, ": work ", balance.work, " N mm, lost ", balance.lost, ", sampled ", balance.sampled,
+            ", greatest step ", balance.greatest_step_N, " N of ", balance.greatest_N);
+  }
+  CHECK(greatest_N > 0.3);
+  CHECK(moved_mm > 5.0);
+}
+
+TEST_CASE(
+    "a mouse with the button held is drawn into a well of 1HPV: amprenavir put 0.8 A off its minimum and a probe with a "
+    "charge on ubiquitin come to rest where coupling and field pull by less than 0.05 N, at an energy below the start's, "
+    "while the pointer stands still") {
+  for (const bool drug : {true, false}) {
+    CAPTURE(drug);
+    HeldWindow w(drug ? kDrug : kProbe);
+    w.d->point("view", 0.5, 0.5);
+    w.d->frames(20);
+    w.d->press();
+    w.d->frames(2);
+    const PoseA start = w.latest().shownBody();
+    const PointA hand = w.latest().hip;
+    const double before = w.energyAt(start);
+    std::vector<double> pulls;
+    for (int k = 0; k < 360; ++k) {
+      w.d->frames(1);
+      pulls.push_back(glm::length(w.latest().wanted().force_N));
+    }
+    const ServoSample rest = w.latest();
+    const double after = w.energyAt(rest.shownBody());
+    MESSAGE(drug ? "drug" : "probe", ": energy ", before, " to ", after, ", hand moved ", glm::distance(hand.A, rest.hip.A),
+            " A, pull ", pulls.front(), " to ", pulls.back(), " N, body ", glm::distance(rest.shownBody().place.A, rest.hip.A),
+            " A from the hand");
+    CHECK(after < before - 0.5);
+    CHECK(after < 0.0);
+    CHECK(pulls.back() < PointerHand::kWell_N);
+    CHECK(glm::distance(hand.A, rest.hip.A) > 0.3);
+    CHECK(glm::distance(rest.shownBody().place.A, rest.hip.A) < 0.1);
+    // It stays, and no place 0.15 A beside it is lower by more than the pull that does not move a hand.
+    w.d->frames(120);
+    CHECK(glm::distance(w.latest().hip.A, rest.hip.A) < 0.1);
+  }
+}
+
+}  // namespace moltact
