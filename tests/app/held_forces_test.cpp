@@ -127,7 +127,7 @@ TEST_CASE(
       Glyphs with_lines, bare;
       addGlyphs(picture, nullptr, with_lines);
       addGlyphs(without, nullptr, bare);
-      CHECK(with_lines.strokes.size() > bare.strokes.size() + forces.lines().size());
+      CHECK(with_lines.strokes.lines().size() > bare.strokes.lines().size() + forces.lines().size());
     }
     w.d->release();
     w.d->frames(30);
