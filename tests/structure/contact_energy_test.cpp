@@ -46,8 +46,9 @@ Range atContact(const std::set<Touching>& held, const std::set<Touching>& scene)
 
 std::string row(const char* held, const char* contact, const Range& r) {
   char out[160];
-  std::snprintf(out, sizeof out, "| %s | %s | %zu | %.2f | %.2f | %.2f |", held, contact, r.pairs, r.least, r.median,
-                r.most);
+  const auto shown = [](double energy) { return std::round(100.0 * energy) / 100.0 + 0.0; };  // no negative zero
+  std::snprintf(out, sizeof out, "| %s | %s | %zu | %.2f | %.2f | %.2f |", held, contact, r.pairs, shown(r.least),
+                shown(r.median), shown(r.most));
   return out;
 }
 
