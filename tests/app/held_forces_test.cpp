@@ -29,7 +29,8 @@ struct HeldWindow {
   explicit HeldWindow(const std::string& scene, const std::string& more = "") {
     ScriptedUser::Options tall;
     tall.height = 1100;  // the whole touch tab is in view
-    d = startWith(scratch.file("mine.md", kHead + "## One\n" + scene + more + "```\nText.\n").string(), std::move(tall));
+    d = startWith(scratch.file("mine.md", kHead + "## One\n" + scene + more + "```\nText.\n").string(),
+                  std::move(tall));
     d->app().panels.tabs.open("touch");
     d->frames(5);
   }
@@ -41,6 +42,13 @@ struct HeldWindow {
     d->press();
     d->frames(frames);
   }
+  /// Puts the mouse's hand and the body here, in the file's orientation, where they wait for a press.
+  void placeAt(const Vec3& place) {
+    d->app().scene.view().holdAt({PointA{place}, kNoRotation});
+    d->frames(10);
+  }
+  /// Every tick of the last frame.
+  const std::vector<ServoSample>& lastTicks() { return scene().servo().everyTick(); }
   /// Every tick of this number of frames.
   std::vector<ServoSample> ticks(int frames) {
     std::vector<ServoSample> out;
@@ -77,13 +85,20 @@ std::vector<double> numbersIn(const std::string& text) {
 }  // namespace
 
 TEST_CASE(
-    "the clashes drawn are all pairs of atoms whose own Lennard-Jones sum is 1 kcal/mol or more, the hydrogen bonds lie "
+    "the clashes drawn are all pairs of atoms whose own Lennard-Jones sum is 1 kcal/mol or more, the hydrogen bonds "
+    "lie "
     "between nitrogen and oxygen within 3.5 A, each line is dashed and says its length") {
   HeldWindow w(kDrug);
   std::size_t bonds = 0, clashes = 0;
-  for (const double y : {0.5, 0.6, 0.42}) {
-    CAPTURE(y);
-    w.pressAt(0.5, y, 200);
+  // In the crystal's pose, and pulled aside against its walls.
+  for (const double aside : {0.0, 0.03, -0.03, 0.06}) {
+    CAPTURE(aside);
+    w.placeAt(w.scene().stage().body->middle.A);
+    w.d->point("view", 0.5, 0.5);
+    w.d->frames(3);
+    w.d->press();
+    w.d->frames(60);
+    for (int k = 1; k <= 10 && aside != 0.0; ++k) w.d->point("view", 0.5 + aside * k / 10, 0.5);
     const ForceWatch& forces = w.scene().forces();
     const ViewScene picture = seenScene(w.d->app());
     const PoseA pose = w.latest().shownBody();
@@ -132,20 +147,24 @@ TEST_CASE(
     w.d->release();
     w.d->frames(30);
   }
-  MESSAGE(bonds, " hydrogen bonds and ", clashes, " clashes in three poses");
+  MESSAGE(bonds, " hydrogen bonds and ", clashes, " clashes in four poses");
   CHECK(bonds > 0);
   CHECK(clashes > 0);
 }
 
 TEST_CASE(
-    "the touch tab's figures: 1 N in the hand is the coupling's force in pN and kcal/mol/A, the force between the atoms "
+    "the touch tab's figures: 1 N in the hand is the coupling's force in pN and kcal/mol/A, the force between the "
+    "atoms "
     "is the slope of the sum in double precision, and the point on the curve is the atom of highest energy and its "
     "asinh") {
   // 100 N/m are 10 000 pN for each angstrom between hand and body.
-  for (const auto& [more, coupling_pN_per_A] : {std::pair{"coupling: 100 N/m\n", 1e4}, std::pair{"coupling: 20 N/m\n", 2e3}}) {
+  for (const auto& [more, coupling_pN_per_A] :
+       {std::pair{"coupling: 100 N/m\n", 1e4}, std::pair{"coupling: 20 N/m\n", 2e3}}) {
     CAPTURE(more);
     HeldWindow w(kDrug, more);
-    w.pressAt(0.5, 0.5, 240);
+    w.placeAt(w.scene().stage().body->middle.A);
+    w.pressAt(0.5, 0.5, 60);
+    for (int k = 1; k <= 12; ++k) w.d->point("view", 0.5 + 0.004 * k, 0.5);
     const ServoSample s = w.latest();
     REQUIRE(glm::length(s.force.N) > 0.1);
     const double apart_A = glm::distance(s.shownBody().place.A, s.hip.A), felt_N = glm::length(s.wanted().force_N);
@@ -182,9 +201,9 @@ TEST_CASE(
 namespace {
 
 // The work of the force on the hand and the energy that coupling and field lose, from tick to tick at the scale and gain
-// of the tick (unit: N mm). A loop of stiffness K that is sampled gives at most K |dx|^2 more in a tick.
+// of the tick (unit: N mm).
 struct Balance {
-  double work = 0.0, lost = 0.0, sampled = 0.0, greatest_step_N = 0.0, greatest_N = 0.0;
+  double work = 0.0, lost = 0.0, greatest_step_N = 0.0, greatest_N = 0.0;
 
   void add(const ServoSample& from, const ServoSample& to, double A_per_mm) {
     const double k = to.molecular_energy->coupling_kcal_mol_A2, N_per_kcal_mol_A = to.spring_N_per_A / k;
@@ -193,7 +212,6 @@ struct Balance {
     const double gain = wanted_N > 1e-6 ? std::min(1.0, glm::length(to.force.N) / wanted_N) : 0.0;
     work += glm::dot(to.force.N, moved_mm);
     lost += gain * N_per_kcal_mol_A * (stored(from) - stored(to)) / A_per_mm;
-    sampled += to.spring_N_per_A * A_per_mm * glm::dot(moved_mm, moved_mm);
     greatest_step_N = std::max(greatest_step_N, glm::distance(from.force.N, to.force.N));
     greatest_N = std::max(greatest_N, glm::length(to.force.N));
   }
@@ -206,14 +224,16 @@ struct Balance {
 }  // namespace
 
 TEST_CASE(
-    "gain of weak forces, medium, coupling and stiffness are changed while a probe is held and pulled about: each change "
-    "begins with less than 0.02 N or follows by less than 0.05 N in a tick, and the hand gets no more work than coupling "
+    "gain of weak forces, medium, coupling and stiffness are changed while a probe is held and pulled about: each "
+    "change "
+    "begins with less than 0.02 N or follows by less than 0.05 N in a tick, and the hand gets no more work than "
+    "coupling "
     "and field lose") {
   HeldWindow w(kProbe);
   w.pressAt(0.5, 0.5, 150);
   REQUIRE(w.latest().molecular_energy);
   struct Change {
-    const char* what;
+    std::string what;
     std::function<void(TouchSetup&)> make;
     bool begins;  // a new interaction, whose force starts softly
   };
@@ -221,12 +241,18 @@ TEST_CASE(
   const auto medium = [](const char* name) { return [name](TouchSetup& t) { t.dielectric = name; }; };
   const auto coupling = [](double c) { return [c](TouchSetup& t) { t.coupling_N_per_mm = c; }; };
   const auto stiffness = [](double k) { return [k](TouchSetup& t) { t.stiffness_N_per_mm = k; }; };
-  const std::vector<Change> changes{{"gain 4", gain(4.0), true},         {"stiffness 1.5", stiffness(1.5), false},
-                                    {"gain 8", gain(8.0), true},         {"gain 1", gain(1.0), true},
-                                    {"vacuum", medium("vacuum"), true},  {"stiffness 0.1", stiffness(0.1), false},
-                                    {"water", medium("water"), true},    {"coupling 50 N/m", coupling(0.05), true},
-                                    {"distance", medium("distance"), true}, {"coupling 2 N/m", coupling(0.002), true},
-                                    {"stiffness 0.5", stiffness(0.5), false}, {"water again", medium("water"), true}};
+  const std::vector<Change> changes{{"gain 4", gain(4.0), true},
+                                    {"stiffness 1.5", stiffness(1.5), false},
+                                    {"gain 8", gain(8.0), true},
+                                    {"gain 1", gain(1.0), true},
+                                    {"vacuum", medium("vacuum"), true},
+                                    {"stiffness 0.1", stiffness(0.1), false},
+                                    {"water", medium("water"), true},
+                                    {"coupling 50 N/m", coupling(0.05), true},
+                                    {"distance", medium("distance"), true},
+                                    {"coupling 2 N/m", coupling(0.002), true},
+                                    {"stiffness 0.5", stiffness(0.5), false},
+                                    {"water again", medium("water"), true}};
   double x = 0.5;
   double greatest_N = 0.0, moved_mm = 0.0;
   for (const Change& change : changes) {
@@ -237,68 +263,82 @@ TEST_CASE(
     w.scene().setTouch(touch);
     const double A_per_mm = w.scene().servo_settings.workspace.A_per_mm;
     Balance balance;
-    bool first = true;
+    // The old interaction may act in one more tick.
+    int before_new = change.begins ? 2 : 0;
     std::size_t count = 0;
     for (int frame = 0; frame < 90; ++frame) {
-      // The pointer wanders, so that the hand is pulled out of its balance and gives way.
+      // The pointer wanders, so that the hand is pulled out of its balance and gives way. Each motion is one frame.
       x += frame % 30 < 15 ? 0.001 : -0.001;
       w.d->point("view", x, 0.5);
-      for (const ServoSample& now : w.ticks(1)) {
+      for (const ServoSample& now : w.lastTicks()) {
         REQUIRE(now.molecular_energy);
         CHECK(now.contact.fault == Fault::None);
-        if (first && change.begins)
-          CHECK(glm::length(now.force.N) < 0.02);
-        else if (now.tick == last.tick + 1 && now.scene == last.scene)
+        if (before_new > 0) {
+          if (glm::length(now.force.N) < 0.02)
+            before_new = 0;
+          else
+            REQUIRE(--before_new > 0);
+        } else if (now.tick == last.tick + 1 && now.scene == last.scene) {
           balance.add(last, now, A_per_mm);
+        }
         moved_mm += glm::distance(now.hand.mm, last.hand.mm);
-        first = false;
         last = now;
         ++count;
       }
     }
     CHECK(count > 1000);
     CAPTURE(balance.lost);
-    CAPTURE(balance.sampled);
-    CHECK(balance.work <= balance.lost + balance.sampled + 0.01);
+    CHECK(balance.work <= balance.lost + 0.01);  // 10 microjoules
     CHECK(balance.greatest_step_N < 0.05);
     greatest_N = std::max(greatest_N, balance.greatest_N);
-    MESSAGE(change.what, ": work ", balance.work, " N mm, lost ", balance.lost, ", sampled ", balance.sampled,
-            ", greatest step ", balance.greatest_step_N, " N of ", balance.greatest_N);
+    MESSAGE(change.what, ": work ", balance.work, " N mm, lost ", balance.lost, ", greatest step ",
+            balance.greatest_step_N, " N of ", balance.greatest_N);
   }
   CHECK(greatest_N > 0.3);
   CHECK(moved_mm > 5.0);
 }
 
 TEST_CASE(
-    "a mouse with the button held is drawn into a well of 1HPV: amprenavir put 0.8 A off its minimum and a probe with a "
-    "charge on ubiquitin come to rest where coupling and field pull by less than 0.05 N, at an energy below the start's, "
-    "while the pointer stands still") {
-  for (const bool drug : {true, false}) {
-    CAPTURE(drug);
-    HeldWindow w(drug ? kDrug : kProbe);
+    "a mouse with the button held is drawn into wells of 1HPV and 1UBQ while the pointer stands still: amprenavir "
+    "outside "
+    "and 0.4 A off its place in the site, and a positive probe beside an acid; hand and body rest together at an "
+    "energy "
+    "lower by 0.5 kcal/mol or more, less than 0.05 N from balance") {
+  for (const std::string where : {"outside", "site", "acid"}) {
+    CAPTURE(where);
+    HeldWindow w(where == "acid" ? kProbe : kDrug);
+    if (where == "site") w.placeAt(w.scene().stage().body->middle.A + Vec3(0.0, 0.4, 0.0));
+    if (where == "acid") {
+      // 5 A outside the carboxyl carbon of glutamate 18.
+      const Molecule& m = *w.scene().stage().molecule;
+      Vec3 middle(0.0), carboxyl(0.0);
+      for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
+        middle += m.spheres[i].centre_A / double(m.atoms.size());
+        if (m.residues[m.atoms[i].residue].number == 18 && m.atoms[i].nameText() == "CD")
+          carboxyl = m.spheres[i].centre_A;
+      }
+      w.d->app().beginSceneAgain(PointA{carboxyl + 5.0 * glm::normalize(carboxyl - middle)});
+      w.d->frames(10);
+    }
     w.d->point("view", 0.5, 0.5);
     w.d->frames(20);
     w.d->press();
     w.d->frames(2);
     const PoseA start = w.latest().shownBody();
     const PointA hand = w.latest().hip;
+    REQUIRE(w.latest().contact.fault == Fault::None);
     const double before = w.energyAt(start);
-    std::vector<double> pulls;
-    for (int k = 0; k < 360; ++k) {
-      w.d->frames(1);
-      pulls.push_back(glm::length(w.latest().wanted().force_N));
-    }
+    w.d->frames(400);
     const ServoSample rest = w.latest();
-    const double after = w.energyAt(rest.shownBody());
-    MESSAGE(drug ? "drug" : "probe", ": energy ", before, " to ", after, ", hand moved ", glm::distance(hand.A, rest.hip.A),
-            " A, pull ", pulls.front(), " to ", pulls.back(), " N, body ", glm::distance(rest.shownBody().place.A, rest.hip.A),
-            " A from the hand");
+    const double after = w.energyAt(rest.shownBody()), pull_N = glm::length(rest.wanted().force_N);
+    MESSAGE(where, ": energy ", before, " to ", after, ", hand moved ", glm::distance(hand.A, rest.hip.A), " A, pull ",
+            pull_N, " N, body ", glm::distance(rest.shownBody().place.A, rest.hip.A), " A from the hand");
     CHECK(after < before - 0.5);
     CHECK(after < 0.0);
-    CHECK(pulls.back() < PointerHand::kWell_N);
-    CHECK(glm::distance(hand.A, rest.hip.A) > 0.3);
+    CHECK(pull_N < PointerHand::kWell_N);
+    CHECK(glm::distance(hand.A, rest.hip.A) > 0.2);
     CHECK(glm::distance(rest.shownBody().place.A, rest.hip.A) < 0.1);
-    // It stays, and no place 0.15 A beside it is lower by more than the pull that does not move a hand.
+    // It stays there.
     w.d->frames(120);
     CHECK(glm::distance(w.latest().hip.A, rest.hip.A) < 0.1);
   }

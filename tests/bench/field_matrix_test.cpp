@@ -60,10 +60,12 @@ FieldScene heldBodyScene(std::uint64_t seed) {
     drift = random.direction();
   };
   const double speed_A = random.uniform(0.01, 0.08);
-  to(radius_A + 0.5 * reach_A, int((12.0 + 0.5 * reach_A) / speed_A));
-  for (int k = 0; k < 3; ++k) to(radius_A + random.uniform(-1.0, 1.0) * reach_A - 0.5, 400);
+  to(0.8 * radius_A, int((12.0 + reach_A + 0.2 * radius_A) / speed_A));
+  for (int k = 0; k < 3; ++k) to(random.uniform(0.3, 0.8) * radius_A, 400);
+  out.held_from = out.path.size();
   out.path.insert(out.path.end(), 800, Vec3(out.path.back()));
-  to(radius_A + reach_A + 12.0, int(16.0 / speed_A));
+  out.held_to = out.path.size();
+  to(radius_A + reach_A + 12.0, int((14.0 + radius_A + reach_A) / speed_A));
   out.path.insert(out.path.end(), 1000, Vec3(out.path.back()));
   return out;
 }
@@ -113,10 +115,12 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a held body of six atoms makes no energy in 48 random closed loops: any stiffness, coupling, gain and path; a field "
-    "given at the hand does") {
-  double greatest_N = 0.0, worst_J = 0.0;
-  int rivals_make = 0, rivals_enter = 0;
+    "a held body of six atoms returns less than 10 microjoules more than it got in 48 random closed loops, at any "
+    "stiffness, coupling, gain, medium and path; of fields given at the hand a fourth returns more or enters an atom "
+    "by "
+    "0.5 A") {
+  double greatest_J = 0.0, rivals_J = 0.0;
+  int pressed = 0, rivals_fail = 0;
   for (std::uint64_t seed = 100; seed < 148; ++seed) {
     scenes::Random random(seed);
     const double slider_N_per_mm = 0.05 * std::pow(40.0, random.uniform(0.0, 1.0)),
@@ -129,22 +133,20 @@ TEST_CASE(
     CAPTURE(slider_N_per_mm);
     CAPTURE(coupling_N_per_mm);
     CAPTURE(gain);
-    const FieldResult r = runFieldScene(scene, "coupled");
+    const FieldResult r = runFieldScene(scene, "coupled"), rival = runFieldScene(scene, "direct");
     CHECK(r.ticks == scene.path.size());
-    CHECK(r.made_J < FieldLimits().made_J);
+    // Without any allowance for what sampling can make.
+    CHECK(r.returned_J < FieldLimits().made_J);
     CHECK(r.overlap_A < 1e-9);
     CHECK(r.broken == 0);
-    greatest_N = std::max(greatest_N, r.force_N);
-    worst_J = std::max(worst_J, r.made_J);
-    if (seed >= 112) continue;
-    const FieldResult rival = runFieldScene(scene, "direct");
-    rivals_make += rival.made_J > FieldLimits().made_J;
-    rivals_enter += rival.overlap_A > 0.5;
+    pressed += r.force_N > 0.3;
+    rivals_fail += rival.returned_J > FieldLimits().made_J || rival.overlap_A > FieldLimits().overlap_A;
+    greatest_J = std::max(greatest_J, r.returned_J), rivals_J = std::max(rivals_J, rival.returned_J);
   }
-  MESSAGE("the coupled field made at most ", worst_J, " J, its greatest force ", greatest_N, " N; of 12 fields at the hand ",
-          rivals_make, " made energy and ", rivals_enter, " entered an atom");
-  CHECK(greatest_N > 1.0);  // the body was pressed
-  CHECK(rivals_make + rivals_enter > 3);
+  MESSAGE("pressed by 0.3 N or more in ", pressed, " of 48 loops; the coupled field returned at most ", greatest_J,
+          " J more than it got, a field at the hand ", rivals_J, " J; ", rivals_fail, " of these failed");
+  CHECK(pressed >= 36);
+  CHECK(rivals_fail >= 12);
 }
 
 TEST_CASE(

@@ -68,7 +68,8 @@ void mustBeFinite(const PairEnergy& e) {
   mustBe(std::isfinite(e.energy.felt_kcal_mol) && std::isfinite(e.energy.total_kcal_mol()), "an energy");
   mustBe(finite(e.force_kcal_mol_A) && finite(e.torque_kcal_mol), "a force and a torque");
   mustBe(std::isfinite(e.stiffness_kcal_mol_A2) && e.stiffness_kcal_mol_A2 >= 0.0, "a curvature");
-  mustBe(std::isfinite(e.rotational_stiffness_kcal_mol) && e.rotational_stiffness_kcal_mol >= 0.0, "a turn's curvature");
+  mustBe(std::isfinite(e.rotational_stiffness_kcal_mol) && e.rotational_stiffness_kcal_mol >= 0.0,
+         "a turn's curvature");
 }
 
 // Forces between the atoms that were read: finite for a probe and for the first residue in the hand, whatever their

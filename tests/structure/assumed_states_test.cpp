@@ -114,7 +114,8 @@ TEST_CASE("the eight cysteines of lysozyme (1HEL) are CYX and its net charge is 
   CHECK(a.net_charge_e == doctest::Approx(8.0).epsilon(0.001));
 }
 
-TEST_CASE("in the zinc fingers of 1A1F six cysteines are CYM; the DNA's strands begin at a 5' and end at a 3' template") {
+TEST_CASE(
+    "in the zinc fingers of 1A1F six cysteines are CYM; the DNA's strands begin at a 5' and end at a 3' template") {
   const Molecule m = test::libraryMolecule("1a1f.pdb");
   const PairAtoms a = pairAtoms(m);
   CHECK(counted(a, Kind::Cysteine) == std::map<std::string, int>{{"CYM", 6}});
@@ -145,7 +146,8 @@ TEST_CASE(
   CHECK(b.net_charge_e - a.net_charge_e == doctest::Approx(0.3079).epsilon(0.001));
 }
 
-TEST_CASE("names state protons: HIE, GLH and CYX of a file without hydrogens; the charges of a PQR file need no state") {
+TEST_CASE(
+    "names state protons: HIE, GLH and CYX of a file without hydrogens; the charges of a PQR file need no state") {
   const std::string text = test::libraryText("1ubq.pdb");
   std::string named = text;
   const auto rename = [&](const std::string& from, const std::string& to) {

@@ -85,15 +85,16 @@ TEST_CASE(
   REQUIRE(probe_field->held.size() == 1);
   const PairAtom& water = probe_field->held.front();
   const std::set<Touching> probe{{double(water.half_minimum_A), double(water.depth_kcal_mol), touch.probe_A}};
-  const Range reduced = atContact(drug, protein), bare = atContact(whole, protein), by_probe = atContact(probe, protein);
+  const Range reduced = atContact(drug, protein), bare = atContact(whole, protein),
+              by_probe = atContact(probe, protein);
   // Reduced by half an angstrom the contact lies on the rising side of every pair, and by whole radii near the minimum.
   CHECK(reduced.least > 0.0);
   CHECK(bare.median < 0.5 * reduced.median);
   std::ostringstream page;
   page << std::ifstream(MOLTACT_SOURCE_DIR "/docs/forces.md").rdbuf();
-  for (const std::string& stated : {row("atoms of amprenavir", "radii - 0.5 Å (a held body)", reduced),
-                                    row("atoms of amprenavir", "whole radii", bare),
-                                    row("a probe of 1.4 Å", "whole radii", by_probe)}) {
+  for (const std::string& stated :
+       {row("atoms of amprenavir", "radii - 0.5 Å (a held body)", reduced),
+        row("atoms of amprenavir", "whole radii", bare), row("a probe of 1.4 Å", "whole radii", by_probe)}) {
     MESSAGE(stated);
     CHECK_MESSAGE(page.str().find(stated) != std::string::npos, "docs/forces.md lacks: ", stated);
   }

@@ -104,8 +104,7 @@ double overlapOf(const FieldScene& scene, const PoseA& at) {
   };
   if (!scene.body) with(at.place.A, scene.probe_A);
   if (scene.body)
-    for (const Sphere& held : scene.body->spheres)
-      with(at.place.A + at.orientation * held.centre_A, held.radius_A);
+    for (const Sphere& held : scene.body->spheres) with(at.place.A + at.orientation * held.centre_A, held.radius_A);
   return out;
 }
 
@@ -126,7 +125,8 @@ FieldResult runFieldScene(const FieldScene& scene, std::string_view method) {
   for (std::size_t k = 0; k < scene.path.size(); ++k) {
     const LoopTick tick = device.tick(*felt, {scene.path[k]});
     ++out.ticks;
-    const PoseA at = method == "coupled" && tick.contact.fault == Fault::None ? tick.body : PoseA{tick.hip, kNoRotation};
+    const PoseA at =
+        method == "coupled" && tick.contact.fault == Fault::None ? tick.body : PoseA{tick.hip, kNoRotation};
     if (!finite(tick.force.N) || !finite(at.place.A)) {
       ++out.broken;
       continue;
@@ -145,6 +145,7 @@ FieldResult runFieldScene(const FieldScene& scene, std::string_view method) {
     }
   }
   out.jitter_mm = glm::length(glm::max(Vec3(0.0), high - low));
+  out.returned_J = device.made_J();
   out.made_J = std::max(0.0, device.made_J() - device.samplingBound_J());
   return out;
 }

@@ -15,11 +15,11 @@ namespace moltact::bench {
 
 struct FieldScene {
   std::string name;
-  std::string question;           ///< what the scene tests, one sentence
-  std::vector<Sphere> spheres{};  ///< of the contact
-  std::vector<PairAtom> atoms{};  ///< one per sphere
-  PairAtom probe{};               ///< at the origin
-  double probe_A = 0.0;           ///< of the contact
+  std::string question;                    ///< what the scene tests, one sentence
+  std::vector<Sphere> spheres{};           ///< of the contact
+  std::vector<PairAtom> atoms{};           ///< one per sphere
+  PairAtom probe{};                        ///< at the origin
+  double probe_A = 0.0;                    ///< of the contact
   std::shared_ptr<const HeldBody> body{};  ///< held instead of the probe; null: the probe
   std::vector<PairAtom> body_atoms{};      ///< one per sphere of the body
   PairModel model{};

@@ -8,9 +8,9 @@
 
 namespace moltact {
 
-/// In the language in use; empty if nothing is wrong. Reports atoms of unknown elements, two atoms in one place, a net
-/// charge far from a whole number and, unless the charges are the file's, residues without charges or with charges of
-/// some atoms only.
+/// In the language in use; empty if nothing is wrong. Reports atoms of unknown elements, two atoms in one place and a net
+/// charge far from a whole number. Unless the charges are the file's, it also reports residues without charges or with
+/// charges of some atoms only.
 std::string chargeFaults(const PairAtoms& assigned);
 
 }  // namespace moltact
