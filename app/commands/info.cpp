@@ -58,6 +58,8 @@ Noted noted(const Molecule& m, const PairAtoms& assigned, PairAtoms::Note::Kind 
     const std::string chain(m.chains[r.chain].name);
     std::string name = n.template_name.empty() ? std::string(r.name) : n.template_name;
     if (kind == PairAtoms::Note::Kind::Ligand) name += " (" + std::to_string(n.charge_e) + " e by Gasteiger)";
+    if (kind == PairAtoms::Note::Kind::InnerEnd) name += " as within a chain";
+    if (n.stated) name += " (by the file)";
     if (kind == PairAtoms::Note::Kind::FractionalCharge)
       name += " (" + quantityNumber(n.residue_charge_e, Dimension::None, decimals(3)) + " e)";
     out[name].push_back(std::to_string(r.number) + (chain.empty() ? "" : " " + chain));
@@ -71,8 +73,11 @@ struct NotedKind {
 };
 constexpr NotedKind kNoted[] = {
     {PairAtoms::Note::Kind::Histidine, "histidine ", "histidines"},
+    {PairAtoms::Note::Kind::SideChain, "sidechain ", "side_chains"},
+    {PairAtoms::Note::Kind::Cysteine, "cysteine  ", "cysteines"},
     {PairAtoms::Note::Kind::Ion, "ions      ", "ions"},
-    {PairAtoms::Note::Kind::Terminus, "ends      ", "charged_ends"},
+    {PairAtoms::Note::Kind::Terminus, "ends      ", "ends"},
+    {PairAtoms::Note::Kind::InnerEnd, "ends      ", "inner_ends"},
     {PairAtoms::Note::Kind::Ligand, "ligand    ", "ligands"},
     {PairAtoms::Note::Kind::NoTemplate, "uncharged ", "no_template"},
     {PairAtoms::Note::Kind::OtherAtoms, "unknown   ", "other_atoms"},
@@ -183,8 +188,8 @@ void addInfo(CLI::App& app) {
   arguments->molecule.addTo(*command);
   command->add_flag(
       "--charges", arguments->charges,
-      "Print the net charge by force field and what it assumes: histidines, ends of chains, atoms without "
-      "parameters");
+      "Print the net charge by force field and what it assumes: the protons of histidines and of charged side chains, "
+      "cysteines, ends of chains, atoms without parameters");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { run(*arguments); });
 }

@@ -40,9 +40,11 @@ LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fau
     if (fault == LoopFault::Doubled) step_.tick(settings_, &interaction, given, {}, phase);
     const ServoSample sample = step_.tick(settings_, &interaction, given, {}, phase);
     last_ = sample.contact;
+    body_ = sample.shownBody();
     command_ = sample.force;
   }
   out.contact = last_;
+  out.body = body_;
   out.force = command_;
   device_.tick(fault == LoopFault::Late ? before : command_, settings_.workspace.toDevice(target));
 

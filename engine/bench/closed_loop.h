@@ -19,6 +19,7 @@ struct LoopSettings {
 struct LoopTick {
   PointA hip;           ///< as read from the device, even if the program received NaN
   Contact contact;      ///< of the last step
+  PoseA body;           ///< of what is held, in the last step
   ForceN force;         ///< as commanded, clamped to the device's peak force
   bool stepped = true;  ///< false on a lost tick
 };
@@ -59,6 +60,7 @@ class ClosedLoop {
   UnguardedStep step_;
   PassivityObserver observer_;
   Contact last_;
+  PoseA body_;
   ForceN command_;
   Vec3 place_mm_;
   std::vector<double> recent_m_;  // path lengths since the reading on which the held force is based

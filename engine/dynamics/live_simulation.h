@@ -41,6 +41,7 @@ struct SimulationFrame {
   // Of a simulation in another program (imd/imd_simulation.h), which may send less.
   double frames_per_s = 0.0;  ///< that arrive
   bool silent = false;        ///< none has arrived for a while: the hand must not feel the last one
+  bool wrapped = false;       ///< atoms that leave its box come back on the other side: they jump
   bool has_time = true, has_temperature = true, has_energy = true;
 };
 

@@ -16,6 +16,9 @@ namespace moltact {
 /// kT at 300 K.
 inline constexpr double kThermalEnergy_kcal_mol = 0.5961612;
 
+/// The number of modes that an elastic molecule has in the window.
+inline constexpr std::size_t kElasticModes = 20;
+
 struct NormalModes {
   std::size_t nodes = 0;
   std::vector<double> eigenvalues;  ///< ascending, without the six rigid motions

@@ -61,6 +61,9 @@ Expected<std::unique_ptr<MdEngine>> simulationOf(const std::filesystem::path& sy
                                                  MdStart start);
 /// Larger molecules are not simulated: even the fastest engine would lag far behind the hand.
 inline constexpr std::size_t kMaxSimulated = 5000;
+/// Up to so many atoms two cores make 1000 steps per second in a vacuum, and the molecule moves as fast as the window asks
+/// (docs/simulation.md: 758 atoms 1100, 1231 atoms 570 steps per second).
+inline constexpr std::size_t kMaxFluent = 800;
 
 /// The system beside a molecule's file, with the same name and the ending of an engine. If there is none, the name that
 /// the first engine's would have.

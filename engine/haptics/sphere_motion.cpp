@@ -34,6 +34,19 @@ Expected<std::vector<SphereMotion::Moving>> movingBetween(std::span<const Sphere
   return out;
 }
 
+bool gone(const SphereMotion::Moving& s) { return s.from.radius_A == 0.0 && s.growth_A == 0.0; }
+
+// The spheres of `untouchable`, and those that are gone. Ascending.
+std::vector<std::uint32_t> unfelt(std::span<const SphereMotion::Moving> spheres,
+                                  std::span<const std::uint32_t> untouchable) {
+  std::vector<std::uint32_t> out(untouchable.begin(), untouchable.end());
+  for (std::uint32_t i = 0; i < spheres.size(); ++i)
+    if (gone(spheres[i])) out.push_back(i);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 }  // namespace
 
 SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> bounds,
@@ -48,7 +61,11 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMo
                                                                   std::span<const Sphere> to, int ticks) {
   auto spheres = movingBetween(before.at(1.0), to);
   if (!spheres) return spheres.problem();
-  return make(*std::move(spheres), ticks, before.bounds_.untouchable(), &before);
+  // What was gone in the motion before may be felt again.
+  std::vector<std::uint32_t> untouchable;
+  for (const std::uint32_t i : before.bounds_.untouchable())
+    if (!gone(before.spheres_[i])) untouchable.push_back(i);
+  return make(*std::move(spheres), ticks, untouchable, &before);
 }
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Sphere> from,
@@ -73,16 +90,17 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::vector<Mov
       return problem(trf("sphere {0} of a motion is at no place, or has no radius", i + 1),
                      trf("give finite coordinates within {0} and radii that are not negative",
                          quantityText(kMaxPosition_A, Dimension::Length, plain())));
-    max_A = std::max(max_A, s.moved_A());
+    if (!gone(s)) max_A = std::max(max_A, s.moved_A());
     // Enlarges the bounding sphere by more than the rounding of a point on the path.
     const double spare = 1e-12 * (glm::length(s.from.centre_A) + glm::length(to.centre_A));
     bounds[i] = {s.from.centre_A + 0.5 * s.displacement_A,
                  std::max(s.from.radius_A, to.radius_A) + 0.5 * glm::length(s.displacement_A) + spare};
     if (s.displacement_A == Vec3(0.0) && s.growth_A == 0.0) bounds[i] = s.from;
   }
-  std::unique_ptr<SphereMotion> made(
-      new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, max_A));
-  if (before) made->continues_ = before->serial_;
+  const std::vector<std::uint32_t> not_felt = unfelt(spheres, untouchable);
+  std::unique_ptr<SphereMotion> made(new SphereMotion(std::move(spheres), std::move(bounds), not_felt, ticks, max_A));
+  // Lists of near spheres outlast a motion only if the same ones are felt.
+  if (before && not_felt == before->bounds_.untouchable()) made->continues_ = before->serial_;
   return std::unique_ptr<const SphereMotion>(std::move(made));
 }
 

@@ -22,7 +22,7 @@ class SphereMotion {
  public:
   /// Creates a motion of `ticks` ticks (1 to kMaxTicks). Returns a Problem if the two lists differ in length or contain
   /// an invalid sphere: not finite, farther than kMaxPosition_A, or of negative radius. The spheres of `untouchable`
-  /// move but are not felt (as in SphereGrid).
+  /// move but are not felt (as in SphereGrid), nor are those whose radius is 0 at both ends: they are gone.
   static Expected<std::unique_ptr<const SphereMotion>> make(std::span<const Sphere> from, std::span<const Sphere> to,
                                                             int ticks, std::span<const std::uint32_t> untouchable = {});
   static constexpr int kMaxTicks = 10'000;
@@ -35,9 +35,9 @@ class SphereMotion {
   static Expected<std::unique_ptr<const SphereMotion>> make(std::vector<Moving> spheres, int ticks,
                                                             std::span<const std::uint32_t> untouchable,
                                                             const SphereMotion* before);
-  /// True if this motion was created by after(other, ...).
+  /// True if this motion was created by after(other, ...), and the same spheres are felt.
   bool continues(const SphereMotion& other) const { return continues_ == other.serial_; }
-  /// Upper bound of the motion of any sphere's surface.
+  /// Upper bound of the motion of the surface of any sphere but those that are gone.
   double maxMotion_A() const { return max_motion_; }
 
   /// Unique number of this motion within the process, from 1.

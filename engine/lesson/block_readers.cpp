@@ -13,6 +13,7 @@
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/scene_link.h"
 #include "engine/lesson/scene_movers.h"
+#include "engine/lesson/scene_values.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
@@ -148,10 +149,37 @@ void takeSimulationKeys(Reading& reading, const KeyValues& values, const Takes& 
                   tr("leave 'temperature' out, and set it there"));
 }
 
+// A problem of a value, whose column counts within the value.
+void valueError(Reading& reading, Place place, const Problem& problem) {
+  place.column += problem.column ? problem.column - 1 : 0;
+  reading.error(place, problem.message, problem.remedy);
+}
+
+// The modes in which an elastic molecule yields.
+void takeModes(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
+  const Value& value = values["modes"];
+  if (takes) {
+    scene.elastic_modes.clear();
+    if (value.place.line) scene.places.modes = value.place;
+    if (auto modes = parseModes(value.text))
+      scene.elastic_modes = *std::move(modes);
+    else
+      valueError(reading, value.place, modes.problem());
+  }
+  if (scene.elastic) return;
+  if (value.place.line && !scene.elastic_modes.empty())
+    reading.error(value.place, tr("'modes' needs an elastic molecule"),
+                  tr("write 'elastic: on', or leave 'modes' out"));
+  scene.elastic_modes.clear();
+}
+
 // A scan takes seconds and shows the atoms at rest.
 void takeScan(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
   if (takes) {
-    scene.scan_A = values["scan"].number;
+    const auto scan = parseScan(values["scan"].text);
+    if (!scan) valueError(reading, values["scan"].place, scan.problem());
+    scene.scan_A = scan ? scan->tip_A : 0.0;
+    scene.scan_force_pN = scan ? scan->force_pN : 0.0;
     if (values["scan"].place.line) scene.places.scan = values["scan"].place;
   }
   if (!(scene.scan_A > 0.0)) return;
@@ -187,9 +215,7 @@ void takeTrajectory(Reading& reading, const KeyValues& values, const Takes& take
     if (auto parsed = parseTrajectory(value.text); parsed) {
       trajectory = *std::move(parsed);
     } else {
-      Place place = value.place;
-      place.column += parsed.problem().column ? parsed.problem().column - 1 : 0;
-      reading.error(place, parsed.problem().message, parsed.problem().remedy);
+      valueError(reading, value.place, parsed.problem());
     }
   }
   for (const char* key : {"frames", "speed"})
@@ -385,6 +411,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.elastic = values["elastic"].words[0] == "on";
     scene.places.elastic = values["elastic"].place;
   }
+  takeModes(reading, values, takes("modes"), scene);
   takeSimulation(reading, values, takes("simulation"), scene);
   takeSimulationKeys(reading, values, takes, scene);
   takeTrajectory(reading, values, takes, scene);

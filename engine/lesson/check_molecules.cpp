@@ -56,6 +56,7 @@ class Check {
         selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule));
         holds(step.scene, *molecule);
         hasCharges(step.scene, *molecule);
+        keepsUp(step.scene, *molecule);
         fitsInPage(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
@@ -147,6 +148,17 @@ class Check {
     if (!held.empty() && untouchableAtoms(scene, molecule).size() == molecule.atoms.size())
       findings_.error(scene.places.in_hand, tr("the hand holds all there is, and nothing is left to feel"),
                       tr("name fewer atoms"));
+  }
+
+  // A large molecule moves more slowly than the scene's second says.
+  void keepsUp(const SceneSpec& scene, const Molecule& molecule) {
+    if (scene.simulation.empty() || simulationAddress(scene.simulation)) return;
+    if (molecule.atoms.size() <= kMaxFluent || molecule.atoms.size() > kMaxSimulated) return;
+    findings_.warning(
+        scene.places.simulation,
+        trf("a molecule of {0} atoms makes fewer than 1000 steps per second: it follows the hand slowly",
+            molecule.atoms.size()),
+        trf("take a part of it, of at most {0} atoms, or measure on your computers: moltact simulate run", kMaxFluent));
   }
 
   // The desktop program simulates larger molecules than a page can.

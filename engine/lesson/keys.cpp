@@ -285,15 +285,20 @@ std::vector<KeySpec> sceneKeys() {
                   "15 Å. The panel 'motion' shows its modes.",
        .fallback = "off",
        .words = {"on", "off"}},
-      {.name = "scan",
-       .type = ValueType::Quantity,
+      {.name = "modes",
+       .type = ValueType::Text,
        .meaning =
-           "The radius of a tip that scans the molecule line by line from the viewer's side, like an atomic force "
-           "microscope; the height picture grows in the view, and '0 Å' ends it. The scanned surface can then be "
-           "touched instead of the atoms, but touching it does not count for tasks.",
-       .fallback = "0 Å",
-       .dimension = Dimension::Length,
-       .max = 20.0},
+           "The only motions in which an elastic molecule yields, by their numbers from the softest: '1, 3' of at "
+           "most 20. With 'all' it yields in every way.",
+       .fallback = "all"},
+      {.name = "scan",
+       .type = ValueType::Text,
+       .meaning =
+           "The radius of a tip, at most 20 Å, that scans the molecule line by line from the viewer's side, like an "
+           "atomic force microscope; '10 Å, 100 pN' presses it with a constant force, and '0 Å' ends it. The height "
+           "picture grows in the view; the scanned surface can then be touched instead of the atoms, but touching "
+           "it does not count for tasks.",
+       .fallback = "0 Å"},
       {.name = "simulation",
        .type = ValueType::Text,
        .meaning =

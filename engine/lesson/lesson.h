@@ -88,7 +88,7 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
   Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, elastic,
-      simulation, pull, trajectory, scan, hydrogen_bonds;
+      simulation, pull, trajectory, scan, hydrogen_bonds, modes;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -155,8 +155,10 @@ struct SceneSpec {
                                       ///< atoms
   SecondState then;
   TrajectorySpec trajectory;
-  bool elastic = false;  ///< the molecule yields to the hand as an elastic network (engine/dynamics)
-  double scan_A = 0.0;   ///< radius of a tip that scans the molecule (engine/haptics/height_field); 0: none
+  bool elastic = false;                    ///< the molecule yields to the hand as an elastic network (engine/dynamics)
+  std::vector<std::size_t> elastic_modes;  ///< the only modes in which it yields, from 0, ascending; empty: all motions
+  double scan_A = 0.0;         ///< radius of a tip that scans the molecule (engine/haptics/height_field); 0: none
+  double scan_force_pN = 0.0;  ///< constant force of the tip; 0: contact without force
   /// File of a serialised system whose simulation moves the atoms, or an address (simulation_engines.h); empty: none.
   std::string simulation;
   PullBy pull = PullBy::None;    ///< what a press holds in the simulation

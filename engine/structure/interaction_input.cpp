@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/haptics/field/force_choices.h"
+#include "engine/structure/amber/charge_faults.h"
 #include "engine/structure/amber/pair_atoms.h"
 #include "engine/structure/atom_charges.h"
 #include "engine/structure/roughness.h"
@@ -28,6 +29,7 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
   if (body)
     for (std::uint32_t k = 0; k < body->atoms.size(); ++k) held[body->atoms[k]] = k;
   auto out = std::make_shared<PairField>();
+  out->faults = chargeFaults(all);
   const DielectricChoice& medium = dielectricChoice(touch.dielectric);
   out->model.kind = medium.kind;
   out->model.dielectric = medium.dielectric;

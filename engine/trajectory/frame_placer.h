@@ -34,6 +34,9 @@ class FramePlacer {
   std::vector<Vec3> place(const TrajectoryFrame& frame) const;
 
   const Molecule& molecule() const { return *molecule_; }
+  /// The covalent molecule of each atom, and the number of these.
+  std::span<const std::uint32_t> partOf() const { return part_of_; }
+  std::size_t parts() const { return parts_; }
 
  private:
   FramePlacer() = default;

@@ -5,8 +5,18 @@
 #include <utility>
 
 #include "engine/structure/superposition.h"
+#include "engine/trajectory/leap_guard.h"
 
 namespace moltact {
+namespace {
+
+double leapLimitOf(const TrajectoryFrame& frame) {
+  if (!frame.cell_A) return 0.0;
+  const glm::dmat3& cell = *frame.cell_A;
+  return 0.5 * std::min({glm::length(cell[0]), glm::length(cell[1]), glm::length(cell[2])});
+}
+
+}  // namespace
 
 Expected<std::unique_ptr<FrameStore>> FrameStore::open(const std::filesystem::path& path,
                                                        std::shared_ptr<const Molecule> molecule, const FrameFit& fit) {
@@ -28,7 +38,8 @@ Expected<AtomPositions> FrameStore::placed(std::size_t frame) {
     kept_.erase(order_.front());
     order_.pop_front();
   }
-  kept_.emplace(frame, Kept{out, read->time_ps});
+  last_limit_A_ = leapLimitOf(*read);
+  kept_.emplace(frame, Kept{out, read->time_ps, last_limit_A_});
   order_.push_back(frame);
   return out;
 }
@@ -38,18 +49,32 @@ std::optional<double> FrameStore::time_ps(std::size_t frame) const {
   return found == kept_.end() ? std::nullopt : found->second.time_ps;
 }
 
+double FrameStore::leapLimit_A(std::size_t frame) const {
+  const auto found = kept_.find(frame);
+  return found == kept_.end() ? last_limit_A_ : found->second.leap_limit_A;
+}
+
 Expected<AtomPositions> FrameStore::at(std::size_t frame, std::size_t smoothing) {
   if (smoothing == 0) return placed(frame);
   // As many frames before as after, so that the mean is that of this moment.
   const std::size_t reach = std::min({smoothing, frame, file_->frames() - 1 - frame});
-  std::vector<Vec3> sum;
+  const auto middle = placed(frame);
+  if (!middle) return middle.problem();
+  const double limit_A = leapLimit_A(frame);
+  std::vector<Vec3> sum = **middle;
+  std::vector<double> count(sum.size(), 1.0);
   for (std::size_t k = frame - reach; k <= frame + reach; ++k) {
+    if (k == frame) continue;
     auto one = placed(k);
     if (!one) return one.problem();
-    if (sum.empty()) sum.assign((*one)->size(), Vec3(0.0));
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += (**one)[i];
+    const std::vector<bool> leaps = leapsBetween(**middle, **one, placer_.partOf(), placer_.parts(), limit_A);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (leaps[placer_.partOf()[i]]) continue;
+      sum[i] += (**one)[i];
+      ++count[i];
+    }
   }
-  for (Vec3& place : sum) place /= double(2 * reach + 1);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
   return AtomPositions(std::make_shared<const std::vector<Vec3>>(std::move(sum)));
 }
 

@@ -30,10 +30,13 @@ class FrameStore {
   const FramePlacer& placer() const { return placer_; }
 
   /// The positions at a frame, which must be less than file().frames(). `smoothing`: the mean over so many frames before
-  /// and after it, fewer at the ends.
+  /// and after it, fewer at the ends; of a covalent molecule that has leapt (leap_guard.h), over those on this side.
   Expected<AtomPositions> at(std::size_t frame, std::size_t smoothing = 0);
   /// The time of a frame that is kept; empty if it is not, or has none.
   std::optional<double> time_ps(std::size_t frame) const;
+  /// Half of the shortest edge of the periodic cell of a frame that is kept, else of the one that was read last: a covalent
+  /// molecule that moves farther from one frame to the next leaps. 0 without a cell.
+  double leapLimit_A(std::size_t frame) const;
 
  private:
   Expected<AtomPositions> placed(std::size_t frame);
@@ -43,9 +46,11 @@ class FrameStore {
   struct Kept {
     AtomPositions positions;
     std::optional<double> time_ps;
+    double leap_limit_A = 0.0;
   };
   std::map<std::size_t, Kept> kept_;
   std::list<std::size_t> order_;  // of kept_, the oldest first
+  double last_limit_A_ = 0.0;     // leapLimit_A of the frame that was read last
 };
 
 /// The positions between two frames: linear.

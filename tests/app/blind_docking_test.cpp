@@ -193,4 +193,16 @@ TEST_CASE(
   CHECK(found_by_chance <= 2);
 }
 
+TEST_CASE("a scene that draws nothing and hides the force shows no energy, and nothing hums; with the force both do") {
+  for (const bool shown : {false, true}) {
+    CAPTURE(shown);
+    BlindWindow w(shown ? "hide: all\n" : "hide: all\nshow: atoms\n");
+    w.move({0.0, 0.0, -1.0});
+    REQUIRE(w.scene().log().latest().molecular_energy);
+    REQUIRE(w.scene().log().latest().molecular_energy->total_kcal_mol() < -1.0);
+    CHECK(w.d->shows("view/energy") == shown);
+    CHECK(heardHum_Hz(w.heard()).has_value() == shown);
+  }
+}
+
 }  // namespace moltact

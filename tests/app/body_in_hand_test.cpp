@@ -130,6 +130,9 @@ TEST_CASE(
     CHECK(std::any_of(reported.begin(), reported.end(), [](const auto& m) {
             return contains(m.text, "atoms are more than a hand can hold; 5000 are the most");
           }) == (atoms[0] == 'p'));
+    CHECK(std::any_of(reported.begin(), reported.end(), [](const auto& m) {
+            return contains(m.text, "mine.md:13:18: the hand holds nothing: ") && contains(m.text, "ZZZ");
+          }) == (atoms[0] == 'r'));
     const test::Run play = test::CommandPlace().run("play '" + file.string() + "' --demonstrate");
     CHECK(play.status == 0);
   }

@@ -494,4 +494,9 @@ TEST_CASE(
   const auto assigned = nlohmann::json::parse(moltact(folder, "info 1hpv --charges --json").out)["assigned"];
   CHECK(assigned["net_charge_e"] == 4.0);
   CHECK(assigned["histidines"]["HID"] == nlohmann::json{"69 A", "69 B"});
+  CHECK(text.find("ends      CPHE: 99 A, 99 B\n") != std::string::npos);
+  CHECK(text.find("sidechain ASP: 25 A, 29 A, 30 A, 60 A, ") != std::string::npos);
+  CHECK(assigned["side_chains"]["ASP"].size() == 8);
+  CHECK(assigned["ends"]["NPRO"] == nlohmann::json{"1 A", "1 B"});
+  CHECK(assigned["inner_ends"].empty());
 }

@@ -100,6 +100,7 @@ TEST_CASE(
   d->frames(3);
   CHECK(d->text("device/scale") == scaleSentence(d->app().scene.servo_settings.workspace, bound));
   CHECK(contains(d->text("device/limits"), "At most 3.3\u00a0N for a moment and 0.88\u00a0N for good"));
+  CHECK(contains(d->text("device/torque"), "a torque of at most 170\u00a0N\u00a0mm."));
   CHECK(d->click("device/mouse"));
   d->frames(3);
   CHECK(d->text("status/device") == "Mouse");

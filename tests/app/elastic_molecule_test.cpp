@@ -146,6 +146,89 @@ TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the 
   CHECK_FALSE(elastic.on());
 }
 
+TEST_CASE(
+    "a molecule that yields in modes 1 and 3 only is displaced along these within 1e-9 of its displacement, and with "
+    "mode 3 switched off along mode 1 alone") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "mine.md", lessonWith("molecule: 1ubq\nelastic: on\nmodes: 3, 1\nstiffness: 1 N/mm\n"
+                                                 "panels: motion\n"));
+  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+  Application& app = user->app();
+  ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
+  REQUIRE(elastic.model());
+  CHECK(elastic.feltModes() == std::vector<std::size_t>{0, 2});
+  const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
+  user->point("view", 0.5, 0.5);
+  user->press();
+  for (int k = 0; k < 40; ++k) {
+    user->wheel(1.0);
+    user->frames(2);
+  }
+  user->frames(600);
+  // The length of the displacement, its amplitude along modes 1 to 3, and what is left.
+  const auto amplitudes = [&] {
+    const ElasticModel& model = *elastic.model();
+    std::vector<double> out(5, 0.0);
+    for (std::size_t n = 0; n < model.network->nodes().size(); ++n) {
+      const std::uint32_t atom = model.network->nodes()[n];
+      const Vec3 moved = app.scene.atoms().seen()->spheres[atom].centre_A - rest[atom].centre_A;
+      for (std::size_t k = 0; k < 3; ++k) out[k] += glm::dot(model.modes->mode(k)[n], moved);
+      out[4] += glm::dot(moved, moved);
+    }
+    out[3] = std::sqrt(std::max(0.0, out[4] - out[0] * out[0] - out[1] * out[1] - out[2] * out[2]));
+    out[4] = std::sqrt(out[4]);
+    return out;
+  };
+  std::vector<double> a = amplitudes();
+  REQUIRE(a[4] > 0.05);
+  CHECK(std::abs(a[0]) > 0.01 * a[4]);
+  CHECK(std::abs(a[2]) > 0.01 * a[4]);
+  CHECK(std::abs(a[1]) < 1e-7);
+  CHECK(a[3] < 1e-6);
+  CHECK(user->text("mode/3") == "on");
+  CHECK(user->text("mode/2") == "off");
+  user->release();
+  user->click("mode/3");
+  user->frames(1);
+  CHECK(elastic.feltModes() == std::vector<std::size_t>{0});
+  user->point("view", 0.5, 0.5);
+  user->press();
+  user->frames(1200);
+  a = amplitudes();
+  REQUIRE(a[4] > 0.05);
+  CHECK(std::abs(a[1]) + std::abs(a[2]) < 1e-3 * a[4]);
+  user->release();
+  user->click("mode/1");
+  CHECK(elastic.feltModes().empty());
+  elastic.feelMode(20, true);  // there are 20
+  CHECK(elastic.feltModes().empty());
+}
+
+TEST_CASE("the second window takes the modes from the cache folder, and they are the same to the last bit") {
+  const ScratchFolder scratch;
+  ScriptedUser::Options options = small({});
+  options.application.cache_folder = scratch.path / "cache";
+  std::vector<std::shared_ptr<const NormalModes>> modes;
+  std::vector<double> compliances[2];
+  for (int k = 0; k < 2; ++k) {
+    const auto user = startWith("1ubq", options);
+    ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
+    elastic.start();
+    user->frames(5);
+    REQUIRE(elastic.model());
+    CHECK((elastic.progress() > 0.0) == (k == 0));
+    modes.push_back(elastic.model()->modes);
+    compliances[k] = elastic.model()->compliances_A2_mol_kcal;
+    std::size_t kept = 0;
+    for (const auto& file : fs::directory_iterator(options.application.cache_folder))
+      kept += file.path().extension() == ".modes";
+    CHECK(kept == 1);
+  }
+  CHECK(modes[0]->eigenvalues == modes[1]->eigenvalues);
+  CHECK(modes[0]->vectors == modes[1]->vectors);
+  CHECK(compliances[0] == compliances[1]);
+}
+
 TEST_CASE("a molecule too small for an elastic network says so with a remedy, and nothing moves") {
   const auto user = startWith("water", small({}));
   ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();

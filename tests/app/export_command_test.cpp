@@ -118,6 +118,7 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"view NAME", "whoever opens the model turns it"},
       {"magnify", "whoever opens the model comes close"},
       {"elastic", "a model is not felt"},
+      {"modes", "a model is not felt"},
       {"frames", "a model is one frame, by --frame"},
       {"speed", "it does not move"},
       {"simulation", "a model is at rest"},

@@ -205,4 +205,26 @@ TEST_CASE(
   CHECK(shown());
 }
 
+TEST_CASE("what is wrong with the charges of a scene with forces is said once, and not where no forces act") {
+  for (const bool forces : {true, false}) {
+    CAPTURE(forces);
+    Scratch scratch;
+    scratch.file(
+        "ions.pqr",
+        "ATOM 1 N ALA A 1 0 0 0 -0.5 1.8\nATOM 2 CA ALA A 1 1.5 0 0 0.5 1.8\nATOM 3 CB ALA A 1 3 0 0 0.3 1.8\n");
+    const auto d = startWith(
+        scratch
+            .file("mine.md",
+                  "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules:\n  - ions.pqr\nauthor: A\nlicence: L\n---\n"
+                  "## One\n```scene\nmolecule: ions.pqr\n" +
+                      std::string(forces ? "forces: all\nprobe-charge: 1\n" : "") + "```\nText.\n")
+            .string());
+    d->frames(30);
+    const auto& messages = d->app().messages.all();
+    CHECK(std::count_if(messages.begin(), messages.end(), [](const Message& m) {
+            return contains(m.text, "the net charge is 0.30 e from a whole number");
+          }) == (forces ? 1 : 0));
+  }
+}
+
 }  // namespace moltact

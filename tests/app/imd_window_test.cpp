@@ -90,6 +90,18 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a server of version 3 that wraps its atoms is named with the remedy, once; one that does not is not") {
+  for (const bool wrapped : {true, false}) {
+    ImdTestServer server({3, true, wrapped}, kAtomsAtServer);
+    const auto user = startWith("argon-triangle", windowFor(addressOf(server)));
+    REQUIRE_MESSAGE(liveIn(*user).ready(), liveIn(*user).problem());
+    CHECK(becomes(*user, [&] { return liveIn(*user).frame().serial > 20; }));
+    int said = 0;
+    for (const auto& message : user->app().messages.all()) said += contains(message.text, "LAMMPS: 'unwrap on'");
+    CHECK(said == (wrapped ? 1 : 0));
+  }
+}
+
 TEST_CASE("a server that stalls while the hand presses: the force on the hand ends, and comes again with the server") {
   ImdTestServer server({3, true}, kAtomsAtServer);
   const auto user = startWith("argon-triangle", windowFor(addressOf(server)));

@@ -5,9 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "app/ui/extensions/device_link.h"
@@ -32,8 +34,10 @@ ScriptedUser::Options small(const fs::path& folder) {
   return options;
 }
 
-/// A molecule of the library, shifted along z from model to model.
-void writeModels(const fs::path& file, int frames, const char* molecule = "benzene.pdb") {
+/// A molecule of the library, shifted along z from model to model by `steps` times kShift_A; or its last atom alone.
+void writeModels(
+    const fs::path& file, int frames, const char* molecule = "benzene.pdb",
+    const std::function<double(int)>& steps = [](int f) { return double(f); }, bool last_alone = false) {
   std::ifstream in(fs::path(MOLTACT_SOURCE_DIR) / "molecules" / molecule);
   std::vector<std::string> atoms;
   for (std::string line; std::getline(in, line);)
@@ -41,10 +45,11 @@ void writeModels(const fs::path& file, int frames, const char* molecule = "benze
   std::ofstream out(file);
   for (int f = 0; f < frames; ++f) {
     out << "MODEL\n";
-    for (std::string line : atoms) {
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+      const double shift = !last_alone || i + 1 == atoms.size() ? kShift_A * steps(f) : 0.0;
       char z[20];
-      std::snprintf(z, sizeof z, "%8.3f", std::stod(line.substr(46, 8)) + kShift_A * f);
-      out << line.replace(46, 8, z) << '\n';
+      std::snprintf(z, sizeof z, "%8.3f", std::stod(atoms[i].substr(46, 8)) + shift);
+      out << std::string(atoms[i]).replace(46, 8, z) << '\n';
     }
     out << "ENDMDL\n";
   }
@@ -228,6 +233,211 @@ TEST_CASE("an elastic molecule gives the atoms to a trajectory that is opened, a
   user->frames(180);
   CHECK(trajectory.at() == 10.0);
   CHECK(trajectory.owns());
+}
+
+TEST_CASE(
+    "the bar and the panel of a trajectory: play and pause, a slider that leads to a frame, the speed, the smoothing "
+    "and "
+    "the three ends act on the atoms as they say") {
+  const ScratchFolder scratch;
+  writeModels(scratch.path / "shift.pdb", 9);
+  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
+  ScriptedUser::Options options = small(scratch.path);
+  options.width = 1280;
+  options.height = 1000;
+  const auto user = startWith((scratch.path / "mine.md").string(), options);
+  PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
+  REQUIRE(trajectory.ready());
+  user->frames(10);
+  const auto frame = [&] { return shift_A(*user) / kShift_A; };
+  // It stands until it is played; then it moves at the slowest speed of 0.5 frames per second.
+  CHECK(user->text("trajectory/play") == "Play");
+  user->frames(60);
+  CHECK(frame() == 0.0);
+  REQUIRE(user->click("trajectory/play"));
+  CHECK(user->text("trajectory/play") == "Pause");
+  user->frames(120);
+  CHECK(frame() == doctest::Approx(1.0).epsilon(0.15));
+  // The slider of the speed: near its right end 60 frames per second, which turn round within 0.3 s.
+  REQUIRE(user->point("trajectory/speed", 0.99, 0.85));
+  user->press();
+  user->frames(2);
+  user->release();
+  CHECK(trajectory.framesPerSecond() > 0.9 * PlayedTrajectory::kFastest_per_s);
+  double low = 9.0, high = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    user->frames(1);
+    low = std::min(low, frame());
+    high = std::max(high, frame());
+  }
+  CHECK(low < 1.5);
+  CHECK(high > 6.5);
+  REQUIRE(user->click("trajectory/play"));
+  user->frames(10);
+  const double paused = frame();
+  user->frames(60);
+  CHECK(frame() == doctest::Approx(paused).epsilon(1e-12));
+  // The slider of the frames: its right end is the last frame, its middle the fifth.
+  REQUIRE(user->point("trajectory/frames", 0.98, 0.5));
+  user->press();
+  user->frames(2);
+  user->release();
+  user->frames(90);
+  CHECK(frame() == doctest::Approx(8.0).epsilon(1e-9));
+  CHECK(user->text("trajectory/frame") == "9 of 9");
+  // Stop: played from the end, it begins again at the first frame and stops at the last.
+  trajectory.setFramesPerSecond(20.0);
+  REQUIRE(user->click("trajectory/end/Stop"));
+  CHECK(trajectory.at_end == PlayedTrajectory::AtEnd::Stop);
+  REQUIRE(user->click("trajectory/play"));
+  low = 9.0;
+  for (int k = 0; k < 180; ++k) {
+    user->frames(1);
+    low = std::min(low, frame());
+  }
+  CHECK(low < 0.5);
+  CHECK(frame() == doctest::Approx(8.0).epsilon(1e-9));
+  CHECK_FALSE(trajectory.running());
+  // Return: after the last frame the frames fall one by one. Repeat: they never fall slowly, but come back at once.
+  const auto countsOf = [&](const char* end) {
+    REQUIRE(user->click(end));
+    trajectory.goTo(6.0);
+    user->frames(90);
+    if (!trajectory.running()) user->click("trajectory/play");
+    int falling = 0, rising = 0, leaps = 0;
+    double before = frame();
+    for (int k = 0; k < 60; ++k) {
+      user->frames(1);
+      const double step = frame() - before;
+      before = frame();
+      if (step < -1.5)
+        ++leaps;
+      else if (step < 0.0)
+        ++falling;
+      else if (step > 0.0)
+        ++rising;
+    }
+    user->click("trajectory/play");
+    user->frames(10);
+    return std::array{falling, rising, leaps};
+  };
+  const auto back = countsOf("trajectory/end/Return"), again = countsOf("trajectory/end/Repeat");
+  CHECK(back[0] > 15);
+  CHECK(back[2] == 0);
+  CHECK(again[1] > 2 * again[0]);
+  CHECK(again[2] > 0);
+  CHECK(trajectory.smoothing() == 0);
+  REQUIRE(user->point("trajectory/smoothing", 0.99, 0.85));
+  user->press();
+  user->frames(2);
+  user->release();
+  CHECK(trajectory.smoothing() == PlayedTrajectory::kMaxSmoothing);
+}
+
+TEST_CASE("smoothed by two frames, a zigzag of 0.5 A shows the mean of five frames, on the screen and under the hand") {
+  const ScratchFolder scratch;
+  writeModels(scratch.path / "shift.pdb", 9, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : 0.0; });
+  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
+  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+  PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
+  REQUIRE(trajectory.ready());
+  trajectory.goTo(4.0);
+  user->frames(60);
+  CHECK(shift_A(*user) == doctest::Approx(0.0));
+  trajectory.setSmoothing(2);
+  user->frames(60);
+  CHECK(shift_A(*user) == doctest::Approx(kShift_A * 2.0 / 5.0).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "coloured by fluctuation, the legend gives the range when the survey is done, and closed the colour is gone") {
+  const ScratchFolder scratch;
+  // Superposed: the ring is at rest but for one hydrogen, which swings by 0.5 A.
+  writeModels(
+      scratch.path / "shift.pdb", 8, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : -1.0; }, true);
+  const auto user = startWith("benzene", small({}));
+  PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
+  REQUIRE(trajectory.open(FileKind::Trajectory, scratch.path / "shift.pdb"));
+  SceneLook& look = user->app().scene.look;
+  look.atoms.colouring = look.colouring("fluctuation");
+  for (int k = 0; k < 300 && look.fluctuation_A.empty(); ++k) user->frames(1);
+  user->frames(2);
+  REQUIRE(look.fluctuation_A.size() == 12);
+  const auto most = std::max_element(look.fluctuation_A.begin(), look.fluctuation_A.end());
+  CHECK(double(*most) == doctest::Approx(kShift_A).epsilon(0.15));
+  // The swinging atom has a colour of its own, and the others nearly the same one.
+  REQUIRE(look.atoms.colouring);
+  const auto& colours = look.atoms.colouring->of_atom;
+  REQUIRE(colours.size() == 12);
+  const auto swings = std::size_t(most - look.fluctuation_A.begin());
+  const auto apart = [](const Rgb8& a, const Rgb8& b) {
+    return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+  };
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    if (i != swings) CHECK(apart(colours[i], colours[swings]) > 60);
+  const Picture fluctuation = user->picture();
+  look.atoms.colouring = look.colouring("element");
+  user->frames(2);
+  CHECK(fluctuation.rgb != user->picture().rgb);
+  trajectory.close();
+  user->frames(2);
+  CHECK(look.fluctuation_A.empty());
+}
+
+TEST_CASE(
+    "an ion that leaves a cell of 20 A comes back on the other side: in no picture is it on the way through the cell, "
+    "and "
+    "it arrives at its full size") {
+  const ScratchFolder scratch;
+  // Two bonded carbons at rest, and an ion that moves on by 2.4 A from frame to frame; it leaps after frame 5.
+  const auto model = [](double x) {
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "HETATM    1  C1  LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n"
+                  "HETATM    2  C2  LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n"
+                  "HETATM    3 NA    NA A   2    %8.3f%8.3f%8.3f  1.00  0.00          NA\n",
+                  0.0, 0.0, 0.0, 1.5, 0.0, 0.0, x, 6.0, 0.0);
+    return std::string(text);
+  };
+  writeFile(scratch.path / "box.pdb", model(0.0) + "END\n");
+  std::string run;
+  for (int f = 0; f < 7; ++f)
+    run +=
+        "MODEL\nCRYST1   20.000   20.000   20.000  90.00  90.00  90.00 P 1           1\n" + model(2.4 * f) + "ENDMDL\n";
+  writeFile(scratch.path / "run.pdb", run);
+  writeFile(scratch.path / "mine.md",
+            "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: box\nauthor: A\nlicence: L\n---\n## One\n```scene\n"
+            "molecule: box\ntrajectory: run.pdb, not superposed\nspeed: 4\n```\nText.\n");
+  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+  PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
+  REQUIRE(trajectory.ready());
+  trajectory.at_end = PlayedTrajectory::AtEnd::Stop;
+  const auto ion = [&] { return user->app().scene.atoms().seen()->spheres[2]; };
+  const double size_A = ion().radius_A;
+  REQUIRE(size_A > 0.5);
+  int away = 0;
+  for (int k = 0; k < 150; ++k) {
+    user->frames(1);
+    const Sphere now = ion();
+    if (now.radius_A == 0.0) {
+      ++away;
+      continue;
+    }
+    CHECK((now.centre_A.x > -0.01 || now.centre_A.x < -5.59));
+    CHECK(now.centre_A.x < 9.61);
+  }
+  CHECK(away > 0);
+  CHECK_FALSE(trajectory.running());
+  CHECK(ion().centre_A.x == doctest::Approx(14.4 - 20.0).epsilon(1e-6));
+  CHECK(ion().radius_A == size_A);
+  // The way to a frame that the user chose leaps too.
+  trajectory.goTo(4.0);
+  for (int k = 0; k < 120; ++k) {
+    user->frames(1);
+    if (ion().radius_A > 0.0) CHECK((ion().centre_A.x < -5.59 || ion().centre_A.x > 9.59));
+  }
+  CHECK(ion().centre_A.x == doctest::Approx(9.6).epsilon(1e-6));
+  CHECK(ion().radius_A == size_A);
 }
 
 TEST_CASE(

@@ -103,6 +103,7 @@ TEST_CASE("every key of a scene is an option of render, or has no meaning for a 
                                                         {"panels", "there are none in the picture"},
                                                         {"paint", "nothing has been touched before"},
                                                         {"elastic", "a picture shows the molecule at rest"},
+                                                        {"modes", "a picture shows the molecule at rest"},
                                                         {"view NAME", "a name is for links; --view takes what it says"},
                                                         {"frames", "a picture shows one frame, by --frame"},
                                                         {"speed", "it does not move"},

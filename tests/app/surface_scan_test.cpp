@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/height_field/height_field_tracker.h"
@@ -86,6 +87,59 @@ TEST_CASE(
   app.lesson.next();
   user->frames(20);
   CHECK_FALSE(scan.on());
+}
+
+TEST_CASE(
+    "a scan at 50 pN sinks 0.5 A into an atom that it touches alone, 1 A at 100 pN, nowhere more, and its surface is "
+    "felt") {
+  const Scratch scratch;
+  const auto user = startWith(scratch.file("mine.md", scanLesson("scan: 5 Å, 50 pN\n")).string());
+  Application& app = user->app();
+  SurfaceScan& scan = app.extensions().surface_scan;
+  REQUIRE(scan.on());
+  CHECK(scan.setup().force_pN == 50.0);
+  user->frames(2);
+  CHECK(user->text("view/scan/words").starts_with("Scanning at 50 pN: "));
+  passSeconds(*user, 21);
+  CHECK_FALSE(scan.running());
+  const HeightField& field = scan.field();
+  const Molecule& molecule = *app.scene.stage().molecule;
+  // Where one atom alone carries the tip it yields by F/k = 0.5 A; several carry it together, each by the depth of the
+  // tip under its own height.
+  int alone = 0;
+  double worst_N_per_m = 0.0;
+  for (int row = 0; row < field.rows; ++row)
+    for (int column = 0; column < field.columns; ++column) {
+      std::vector<double> heights;
+      for (const Sphere& s : molecule.spheres) {
+        const Vec3 c = field.frame.toScan(s.centre_A);
+        const double d = std::hypot(field.spacing_A * column - c.x, field.spacing_A * row - c.y),
+                     reach = s.radius_A + 5;
+        if (d < reach) heights.push_back(c.z - 5 + std::sqrt(reach * reach - d * d));
+      }
+      const double z = field.at(column, row);
+      if (z <= 1e-9) continue;  // on the substrate
+      double force_pN = 0.0;
+      int carriers = 0;
+      for (const double h : heights)
+        if (h > z) force_pN += 100.0 * (h - z), ++carriers;
+      alone += carriers == 1;
+      worst_N_per_m = std::max(worst_N_per_m, std::abs(force_pN - 50.0));
+    }
+  CHECK(worst_N_per_m < 1e-6);
+  CHECK(alone > 10);
+  user->click("view/scan/touch");
+  user->frames(2);
+  REQUIRE(scan.touching());
+  const HeightFieldTracker surface(std::make_shared<const HeightField>(field));
+  user->point("view", 0.5, 0.5);
+  user->frames(60);
+  user->press();
+  user->frames(120);
+  const Contact& contact = app.scene.log().latest().contact;
+  REQUIRE(contact.touching());
+  const Vec3 local = field.frame.toScan(contact.scp.A);
+  CHECK(std::abs(local.z - surface.heightAt(local.x, local.y)) < 1e-6);
 }
 
 TEST_CASE("a scan is no part of free exploration, and another molecule ends the touch of one") {

@@ -94,8 +94,8 @@ TEST_CASE("the browser edition asks for the vendors of the HID drivers that it h
 }
 
 TEST_CASE(
-    "every ending of a file that the window opens, but that of attempts, is one of a file type that the menu entry "
-    "takes") {
+    "every ending of a file that the window opens, but those of attempts and trajectories, is one of a file type that "
+    "the menu entry takes") {
   const std::string types = textOf(kSource / "package/linux/moltact.xml");
   const std::string entry = textOf(kSource / "package/linux/org.moltact.Moltact.desktop");
   std::set<std::string> globs;
@@ -105,7 +105,7 @@ TEST_CASE(
     CHECK(entry.find((*it)[1].str() + ";") != std::string::npos);
     globs.merge(allOf((*it).str(), R"re(pattern="\*([^"]+)")re"));
   }
-  // Attempts end in .jsonl, which is the name of a format and not theirs.
+  // Attempts end in .jsonl, which is the name of a format and not theirs; a trajectory needs its molecule beside it.
   std::set<std::string> opened{".md"};
   opened.merge(allOf(textOf(kSource / "engine/pack/pack_file.h"), R"re(kPackEnding = "([^"]+)")re"));
   opened.merge(allOf(textOf(kSource / "app/ui/files/file_kinds.h"), R"re(kRecordingEnding = "([^"]+)")re"));

@@ -62,6 +62,18 @@ inline bool hasProgram(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// Whether a test cannot run because a program is missing. It says so; where MOLTACT_FULL=1 asks for all tests, it fails.
+inline bool lacksProgram(const std::string& name, const std::string& package) {
+  if (hasProgram(name)) return false;
+  const char* const full = std::getenv("MOLTACT_FULL");
+  const std::string why = "not run: the program " + name + " is not installed (Debian: " + package + ")";
+  if (full && *full == '1')
+    FAIL_CHECK(why);
+  else
+    MESSAGE(why);
+  return true;
+}
+
 /// A port on which nothing listens.
 inline std::uint16_t freePort() {
   const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);

@@ -17,6 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 struct ImdServerBytes {
   int version = 2;
   bool little = true;
+  bool wrapped = false;  // a flag of version 3
 
   template <class T>
   static void append(Bytes& to, T value, bool little_endian) {
@@ -37,7 +38,7 @@ struct ImdServerBytes {
     if (version < 3) return out;
     const Bytes session = header(10, 7);
     out.insert(out.end(), session.begin(), session.end());
-    for (const int flag : {1, 1, 1, 1, 0, 1, 1}) out.push_back(std::uint8_t(flag));
+    for (const int flag : {1, 1, 1, 1, wrapped ? 1 : 0, 1, 1}) out.push_back(std::uint8_t(flag));
     return out;
   }
   Bytes energies(float kelvin, float potential) const {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "tests/dynamics/imd_bytes.h"
 
@@ -37,6 +38,16 @@ struct SessionBench {
 };
 
 }  // namespace
+
+TEST_CASE("version 3 says whether the server wraps its atoms into the box; version 2 does not") {
+  for (const auto& [version, wrapped, says] :
+       {std::tuple(2, true, false), std::tuple(3, false, false), std::tuple(3, true, true)}) {
+    SessionBench b(version);
+    b.server.wrapped = wrapped;
+    b.begin();
+    CHECK(b.session.frame().wrapped == says);
+  }
+}
 
 TEST_CASE(
     "both versions in both byte orders: the client answers GO, no forces and a rate of 10 steps; positions arrive to "

@@ -3,12 +3,16 @@
 
 #include <cmath>
 
+#include "engine/haptics/field/pair_sum.h"
+#include "engine/haptics/interactions.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/molecule/reader.h"
 #include "engine/molecule/summary.h"
 #include "engine/structure/accessible_area.h"
+#include "engine/structure/amber/pair_atoms.h"
 #include "engine/structure/colouring.h"
 #include "engine/structure/hydrogen_bonds.h"
+#include "engine/structure/interaction_input.h"
 #include "engine/structure/map_file.h"
 #include "engine/structure/secondary_structure.h"
 #include "engine/structure/superposition.h"
@@ -60,6 +64,62 @@ void read(std::string_view bytes, const char* name) {
   }
 }
 
+void mustBeFinite(const PairEnergy& e) {
+  mustBe(std::isfinite(e.energy.felt_kcal_mol) && std::isfinite(e.energy.total_kcal_mol()), "an energy");
+  mustBe(finite(e.force_kcal_mol_A) && finite(e.torque_kcal_mol), "a force and a torque");
+  mustBe(std::isfinite(e.stiffness_kcal_mol_A2) && e.stiffness_kcal_mol_A2 >= 0.0, "a curvature");
+  mustBe(std::isfinite(e.rotational_stiffness_kcal_mol) && e.rotational_stiffness_kcal_mol >= 0.0,
+         "a turn's curvature");
+}
+
+// Forces between the atoms that were read: finite for a probe and for the first residue in the hand, whatever their
+// charges and places, at the places of atoms and between them.
+void forces(std::string_view bytes, const char* name) {
+  const auto molecule = readMoleculeBytes(std::string(bytes), name, {.waters = true});
+  constexpr std::size_t kMost = 200;
+  if (!molecule || molecule->atoms.size() > kMost) return;
+  const Molecule& m = *molecule;
+  const PairAtoms assigned = pairAtoms(m);
+  mustBe(std::isfinite(assigned.net_charge_e) && assigned.atoms.size() == assigned.carrier.size(), "charges");
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t i = 0; i < m.atoms.size() && m.atoms[i].residue == m.atoms[0].residue; ++i) first.push_back(i);
+  std::vector<Vec3> places{Vec3(0.0)};
+  for (std::size_t i = 0; i < m.spheres.size() && places.size() < 6; ++i) {
+    places.push_back(m.spheres[i].centre_A);
+    places.push_back(m.spheres[i].centre_A + Vec3(2.0, 0.1, 0.0));
+  }
+  for (const bool held : {false, true}) {
+    const std::vector<std::uint32_t> untouchable = held ? first : std::vector<std::uint32_t>();
+    const auto spheres = std::make_shared<const SphereGrid>(m.spheres, untouchable);
+    const auto body = held ? heldBody(m, first) : nullptr;
+    if (held && !body) return;
+    TouchSetup touch;
+    touch.forces = "all";
+    touch.probe_charge_e = kMaxProbeCharge_e;
+    touch.dielectric = m.atoms.size() % 2 ? "vacuum" : "water";
+    touch.weak_gain = m.atoms.size() % 3 ? 1.0 : kMaxWeakGain;
+    touch = resolveInteraction(touch, held);
+    const InteractionInput input = interactionInput(touch, m, spheres, body);
+    mustBe(input.pairs != nullptr, "atoms of forces");
+    const PairField& f = *input.pairs;
+    for (const double wall : {f.model.wall_kcal_mol, double(INFINITY)}) {
+      PairModel model = f.model;
+      model.wall_kcal_mol = wall;
+      PairSum sum(f.places, f.atoms, f.held, model);
+      for (const Vec3& at : places) mustBeFinite(sum.at({{at}, kNoRotation}));
+    }
+    const auto felt = makeInteraction(input);
+    mustBe(felt != nullptr, "an interaction");
+    for (const Vec3& at : places)
+      for (int tick = 0; tick < 3; ++tick) {
+        const Response r = felt->respond({{at}, kNoRotation});
+        mustBe(finite(r.contact.displacement_A) && finite(r.torque_A2), "a force that is felt");
+        mustBe(finite(r.contact.scp.A) && std::isfinite(r.contact.energy_A2), "a place where it rests");
+        if (r.molecular_energy) mustBe(std::isfinite(r.molecular_energy->felt_kcal_mol), "an energy that is felt");
+      }
+  }
+}
+
 std::string packed(std::string_view bytes) {
   z_stream stream{};
   deflateInit2(&stream, 1, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
@@ -84,9 +144,9 @@ void smallCif(std::string_view bytes) {
   read("data_x\n_cell_length_a 5\n" + std::string(bytes), "x.cif");
 }
 void sdf(std::string_view bytes) { read(bytes, "x.sdf"); }
-void mol2(std::string_view bytes) { read(bytes, "x.mol2"); }
-void pqr(std::string_view bytes) { read(bytes, "x.pqr"); }
-void pdbqt(std::string_view bytes) { read(bytes, "x.pdbqt"); }
+void mol2(std::string_view bytes) { read(bytes, "x.mol2"), forces(bytes, "x.mol2"); }
+void pqr(std::string_view bytes) { read(bytes, "x.pqr"), forces(bytes, "x.pqr"); }
+void pdbqt(std::string_view bytes) { read(bytes, "x.pdbqt"), forces(bytes, "x.pdbqt"); }
 void gro(std::string_view bytes) { read(bytes, "x.gro"); }
 void xyzr(std::string_view bytes) { read(bytes, "x.xyzr"); }
 

@@ -43,6 +43,7 @@ constexpr Target kTargets[] = {
     {"body-path", bodyPath},
     {"imd", imd},
     {"simulation-message", simulationMessage},
+    {"modes", modes},
 };
 
 }  // namespace

@@ -56,7 +56,9 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
   CHECK(check.lesson.has_value());
 }
 
-TEST_CASE("a simulated molecule of 501 atoms, more than a page simulates, is a warning; one of 500 is none") {
+TEST_CASE(
+    "a simulated molecule of 501 atoms, more than a page simulates, is a warning, one of 500 is none; 801 "
+    "atoms, too many for 1000 steps per second, are another") {
   const auto warned = [](std::size_t atoms) {
     Molecule molecule = mixedMolecule();
     std::vector<Atom> many(molecule.atoms.begin(), molecule.atoms.end());
@@ -75,6 +77,12 @@ TEST_CASE("a simulated molecule of 501 atoms, more than a page simulates, is a w
   CHECK(warned(501) ==
         Texts{"l.md:12:13: a page in a browser simulates at most 500 atoms: it shows this molecule, of 501, at rest; "
               "take a part of it, or have students use the desktop program"});
+  CHECK(warned(800).size() == 1);
+  REQUIRE(warned(801).size() == 2);
+  CHECK(
+      warned(801)[0] ==
+      "l.md:12:13: a molecule of 801 atoms makes fewer than 1000 steps per second: it follows the hand slowly; take a "
+      "part of it, of at most 800 atoms, or measure on your computers: moltact simulate run");
 }
 
 TEST_CASE(

@@ -72,6 +72,14 @@ TEST_CASE("the reference has every key of every table, and a heading for every k
   }
 }
 
+TEST_CASE("docs/writing-tasks.md says of every kind of task how a looker, a guesser and a jabber fare") {
+  const std::string page = contents("docs/writing-tasks.md");
+  for (const TaskKind& kind : taskKinds()) {
+    CAPTURE(kind.name);
+    CHECK(page.find("\n| `" + std::string(kind.name) + "` | ") != std::string::npos);
+  }
+}
+
 TEST_CASE("the lesson that docs/write-a-lesson.md builds up has 2 steps, 2 tasks and 1 question, and no fault") {
   const LessonCheck check = checked(fences(contents("docs/write-a-lesson.md"), "## 2.", "## 6."));
   for (const auto* list : {&check.errors, &check.warnings})

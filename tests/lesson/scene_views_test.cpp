@@ -241,7 +241,28 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
               "there"});
   CHECK(scene("simulation: mix.xml\ntemperature: 3000\n").size() == 1);
   CHECK(scene("simulation: mix.xml\npull: element Zr\n").size() == 1);
+  CHECK(scene("elastic: on\nmodes: 3, 1\n").empty());
+  CHECK(scene("elastic: off\nmodes: all\n").empty());
+  CHECK(scene("modes: 1\n") ==
+        Texts{"l.md:12:8: 'modes' needs an elastic molecule; write 'elastic: on', or leave 'modes' out"});
+  CHECK(
+      scene("elastic: on\nmodes: 1, 21\n") ==
+      Texts{"l.md:13:11: '21' is no motion of an elastic molecule; write numbers from 1 (the softest) to 20, as in '1, "
+            "3', or 'all'"});
+  CHECK(scene("elastic: on\nmodes: 1,\n").size() == 1);
+  CHECK(scene("elastic: on\nmodes: 0\n").size() == 1);
   CHECK(scene("scan: 10 Å\n").empty());
+  CHECK(scene("scan: 10 Å, 100 pN\n").empty());
+  CHECK(scene("scan: 21 Å\n") == Texts{"l.md:12:7: '21 Å' is no radius of a tip; write a length from 0 to 20 Å"});
+  for (const char* force : {"100", "-1 pN", "10001 pN", "1 N", "nan pN"}) {
+    CAPTURE(std::string(force));
+    CHECK(scene("scan: 10 Å, " + std::string(force) + "\n") ==
+          Texts{"l.md:12:13: '" + std::string(force) +
+                "' is no force of a tip; write piconewtons from 0 to 10000, as in '100 pN'"});
+  }
+  CHECK(scene("scan: 10 Å,\n").size() == 1);
+  CHECK(scene("scan: 10 Å, 1 pN, 2 pN\n") ==
+        Texts{"l.md:12:19: '2 pN' is too much; write the tip's radius, and its force if it has one: '10 Å, 100 pN'"});
   CHECK(scene("then: shut\nscan: 0 Å\n").empty());
   CHECK(scene("then: shut\nscan: 1 nm\n") ==
         Texts{"l.md:13:7: a tip scans atoms at rest, and 'then' moves them; write 'scan: 0 Å', or leave out 'then'"});

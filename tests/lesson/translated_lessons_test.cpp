@@ -120,7 +120,9 @@ void compareScenes(const SceneSpec& a, const SceneSpec& b) {
   CHECK(b.then.molecule == a.then.molecule);
   CHECK(b.then.superposed_on == a.then.superposed_on);
   CHECK(b.elastic == a.elastic);
+  CHECK(b.elastic_modes == a.elastic_modes);
   CHECK(b.scan_A == a.scan_A);
+  CHECK(b.scan_force_pN == a.scan_force_pN);
   CHECK(b.simulation == a.simulation);
   CHECK(b.pull == a.pull);
   CHECK(b.pulled == a.pulled);

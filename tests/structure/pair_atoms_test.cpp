@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/haptics/field/pair_sum.h"
+#include "engine/structure/amber/charge_faults.h"
 #include "engine/structure/bonds.h"
 #include "tests/structure/library.h"
 
@@ -207,6 +208,26 @@ TEST_CASE("an atom of an unknown element is noted by its residue; its charge is 
   CHECK(without.atoms[1].charge_e == 0.0f);
   CHECK(without.atoms[1].half_minimum_A == float(m.spheres[1].radius_A));
   CHECK(count(pairAtoms(test::libraryMolecule("2hhb.pdb")), Kind::UnknownElement) == 0);
+}
+
+TEST_CASE(
+    "what is wrong with a molecule's charges is one sentence, with the number of residues of each kind; else none") {
+  CHECK(chargeFaults(pairAtoms(test::libraryMolecule("1ubq.pdb"))).empty());
+  CHECK(chargeFaults(pairAtoms(test::libraryMolecule("1hpv.pdb"))).empty());
+  const auto faults = [](const std::string& text, const char* name) {
+    return chargeFaults(pairAtoms(test::moleculeOf(text, name)));
+  };
+  const std::string ending = ". 'moltact info --charges' names the residues.";
+  const std::string unknown =
+      "ATOM      1  C1  LIG A   7       1.000   0.000   0.000  1.00  0.00    +0.250 C \n"
+      "ATOM      2  Q1  LIG A   7       2.500   0.000   0.000  1.00  0.00    -0.250 QQ\n";
+  CHECK(faults(unknown, "x.pdbqt") == "Forces between atoms: 1 residue has atoms of unknown elements" + ending);
+  CHECK(
+      faults("ATOM 1 N ALA A 1 0 0 0 -0.5 1.8\nATOM 2 CA ALA A 1 1.5 0 0 0.5 1.8\nATOM 3 CB ALA A 1 1.5 0 0 0.3 1.8\n",
+             "x.pqr") ==
+      "Forces between atoms: two atoms lie in one place, which makes their forces wrong; the net "
+      "charge is 0.30 e from a whole number" +
+          ending);
 }
 
 TEST_CASE("two atoms in one place are noted, and their forces on a third are finite at every distance") {

@@ -151,13 +151,23 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
   else
     scene.view().beginAgain(facing());
   if (!before && !turned) cutOpen();
-  warnBodyTooLarge();
+  warnWithoutBody();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
-// An unchecked lesson may require a body with too many atoms.
-void Application::warnBodyTooLarge() {
-  if (scene.stage().body || lesson.held().empty()) return;
+// An unchecked lesson may require a body without atoms or with too many.
+void Application::warnWithoutBody() {
+  if (scene.stage().body || !lesson.session()) return;
+  const SceneSpec& spec = lesson.session()->scene();
+  if (!lesson.onStage() || !spec.in_hand.given()) return;
+  if (lesson.held().empty()) {
+    Problem why = spec.in_hand.whyEmpty(*scene.stage().molecule);
+    const Place place = spec.places.in_hand;
+    messages.warning(Problem{lesson.file().string(), place.line, place.column + why.column - 1,
+                             trf("the hand holds nothing: {0}", why.message), std::move(why.remedy)}
+                         .text());
+    return;
+  }
   messages.warning(
       Problem{lesson.file().string(), lesson.session()->scene().places.in_hand.line, 0,
               trf("{0} atoms are more than a hand can hold; {1} are the most", lesson.held().size(), kMaxHeldAtoms),
@@ -204,7 +214,7 @@ void Application::onLoaded(Loaded loaded) {
   scene.view().fit.zoomed = lesson.zoomed();
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
-  warnBodyTooLarge();
+  warnWithoutBody();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 

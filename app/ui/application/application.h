@@ -110,7 +110,7 @@ class Application final : public Opener {
   void cutOpen();     // applies the cutting plane of the lesson's step
   void enterScene();  // enters the scene of the lesson's step if it has changed
   void notifyStepChanged();
-  void warnBodyTooLarge();
+  void warnWithoutBody();
   void useLanguageAndUnits();  // applies language, units and decimal sign of the settings
   Layout layoutNow() const;    // for the panels that are open now
   void measureView();

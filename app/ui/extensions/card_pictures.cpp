@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "app/ui/application/application_options.h"
 #include "app/ui/files/settings.h"
@@ -106,7 +107,9 @@ void tidy(const fs::path& folder) {
 
 }  // namespace
 
-struct CardPictures::Card : PictureTexture {};
+struct CardPictures::Card : PictureTexture {
+  bool begun = false;  // a job for it has started; without effect on a molecule that cannot be read
+};
 
 CardPictures::CardPictures(const Settings& settings, const ApplicationOptions& options)
     : settings_(settings), options_(options) {}
@@ -114,31 +117,31 @@ CardPictures::~CardPictures() = default;
 
 ImTextureID CardPictures::find(const CardSubject& subject) {
   if (subject.molecule.empty()) return {};
-  const std::string key = look_ + subject.molecule.file.string() + '|' + sceneKey(subject);
-  auto [at, is_new] = cards_.try_emplace(key);
-  if (is_new) {
-    at->second = std::make_unique<Card>();
-    queue_.emplace_back(key, subject);
-  }
-  return at->second->id();
+  std::string key = look_ + subject.molecule.file.string() + '|' + sceneKey(subject);
+  std::unique_ptr<Card>& card = cards_[key];
+  if (!card) card = std::make_unique<Card>();
+  if (!card->begun) wanted_.emplace_back(std::move(key), subject);
+  return card->id();
 }
 
 void CardPictures::afterPanels() {
+  std::vector<std::pair<std::string, CardSubject>> wanted = std::exchange(wanted_, {});
   const std::string now = std::string(themeName(settings_.theme)) + (settings_.colour_blind_safe ? "|safe|" : "|");
   if (now != look_) {
     look_ = now;
-    queue_.clear();  // of the previous theme
+    wanted.clear();  // of the previous theme
     std::erase_if(cards_, [](const auto& c) { return c.second->empty(); });
   }
   const bool wait = options_.clock == ServoClock::Frames;  // deterministic on the frames' clock
   if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) finish(job_.get());
+  waiting_ = !wanted.empty();
   if (job_.valid()) return;
-  if (queue_.empty()) {
+  if (wanted.empty()) {
     renderer_.reset();
     return;
   }
-  auto next = std::move(queue_.front());
-  queue_.erase(queue_.begin());
+  auto next = std::move(wanted.front());
+  cards_.at(next.first)->begun = true;
   job_ = inBackground([key = std::move(next.first), subject = std::move(next.second), look = look_,
                        folder = options_.cache_folder]() mutable {
     Job job{std::move(key), std::move(subject), {}, {}, {}};

@@ -38,12 +38,12 @@ class CardPictures : public Extension {
 
   static constexpr int kWidth_px = 512, kHeight_px = 288;
 
-  /// The picture as a texture, first row at the top; null until it has been drawn. The first call puts it into the
-  /// queue.
+  /// The picture as a texture, first row at the top; null until it has been drawn. Call in each frame that shows the
+  /// card: only pictures that were asked for in the present frame are drawn, one at a time.
   ImTextureID find(const CardSubject& subject);
 
   void afterPanels() override;
-  bool live() const override { return !queue_.empty() || job_.valid(); }
+  bool live() const override { return waiting_ || job_.valid(); }
 
   /// The number of pictures drawn since the start, not taken from the cache.
   std::size_t drawn() const { return drawn_; }
@@ -63,8 +63,9 @@ class CardPictures : public Extension {
 
   void finish(Job job);
 
-  std::map<std::string, std::unique_ptr<Card>> cards_;  // by their subjects, in the present theme
-  std::vector<std::pair<std::string, CardSubject>> queue_;
+  std::map<std::string, std::unique_ptr<Card>> cards_;       // by their subjects, in the present theme
+  std::vector<std::pair<std::string, CardSubject>> wanted_;  // of this frame, not begun
+  bool waiting_ = false;                                     // pictures were wanted in the last frame
   std::future<Job> job_;
   std::unique_ptr<Renderer> renderer_;
   std::string look_;

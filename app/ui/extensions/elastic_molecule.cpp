@@ -9,6 +9,7 @@
 #include "app/ui/extensions/displacement_text.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
+#include "engine/dynamics/network_solution.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
@@ -25,17 +26,20 @@ std::vector<std::uint32_t> bodyAtoms(const TouchableModel& stage) {
   return stage.body ? stage.body->atoms : std::vector<std::uint32_t>();
 }
 
-Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule,
-                               const std::vector<std::uint32_t>& held) {
+Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule, const std::vector<std::uint32_t>& held,
+                               const std::filesystem::path& cache, const std::shared_ptr<ElasticProgress>& progress) {
   try {
     auto network = ElasticNetwork::make(*molecule, ElasticNetwork::kCutOff_A, held);
     if (!network) return network.problem();
     ElasticModel out;
     out.network = std::make_shared<const ElasticNetwork>(*std::move(network));
-    auto modes = lowestModes(*out.network, ElasticMolecule::kModes);
-    if (!modes) return modes.problem();
-    out.modes = std::make_shared<const NormalModes>(*std::move(modes));
-    const std::vector<glm::dmat3> compliances = nodeCompliances(*out.network);
+    auto solution = keptOrSolved(*out.network, ElasticMolecule::kModes, cache, [&](double share) {
+      progress->share = share;
+      return !progress->unwanted;
+    });
+    if (!solution) return solution.problem();
+    out.modes = std::make_shared<const NormalModes>(std::move(solution->modes));
+    const std::vector<glm::dmat3>& compliances = solution->compliances;
     out.spring_kcal_mol_A2 = springFromDisplacementFactors(*out.network, *molecule, compliances);
     out.spring_assumed = !(out.spring_kcal_mol_A2 > 0.0);
     if (out.spring_assumed) out.spring_kcal_mol_A2 = ElasticMolecule::kUsualSpring_kcal_mol_A2;
@@ -52,6 +56,7 @@ Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule,
 void ElasticMolecule::forget() {
   if (motion_) scene_.servo().loop().wantImpulses(false);
   own_.release();
+  if (progress_) progress_->unwanted = true;
   reading_.drop();
   model_.reset();
   molecule_.reset();
@@ -64,7 +69,10 @@ void ElasticMolecule::forget() {
 
 void ElasticMolecule::resetModes() {
   mode_ = 0;
-  shown_ = alone_ = false;
+  shown_ = false;
+  felt_.clear();
+  if (const LessonSession* session = lesson_.session(); session && lesson_.onStage())
+    felt_ = session->scene().elastic_modes;
 }
 
 void ElasticMolecule::sceneChanged() {
@@ -112,7 +120,8 @@ void ElasticMolecule::begin() {
   }
   forget();
   molecule_ = stage.molecule;
-  reading_.begin(inBackground(modelOf, molecule_, bodyAtoms(stage)));
+  progress_ = std::make_shared<ElasticProgress>();
+  reading_.begin(inBackground(modelOf, molecule_, bodyAtoms(stage), options_.cache_folder, progress_));
   if (options_.clock == ServoClock::Frames) take(*reading_.wait());
 }
 
@@ -124,6 +133,8 @@ void ElasticMolecule::take(Expected<ElasticModel> made) {
   }
   if (!model_) model_ = std::make_shared<const ElasticModel>(*std::move(made));
   motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);
+  while (!felt_.empty() && felt_.back() >= model_->modes->count()) felt_.pop_back();
+  restrict();
   impulses_N_s_.assign(model_->network->nodes().size(), Vec3(0.0));
   ticks_ = 0;
   scene_.servo().loop().wantImpulses(true);
@@ -204,7 +215,6 @@ void ElasticMolecule::chooseMode(std::size_t mode) {
   if (!model_ || mode >= model_->modes->count()) return;
   mode_ = mode;
   showMode(shown_);
-  feelModeAlone(alone_);
 }
 
 void ElasticMolecule::showMode(bool on) {
@@ -212,13 +222,22 @@ void ElasticMolecule::showMode(bool on) {
   shown_for_s_ = 0.0;
 }
 
-void ElasticMolecule::feelModeAlone(bool on) {
-  alone_ = on;
+void ElasticMolecule::restrict() {
   if (!motion_) return;
-  if (alone_)
-    motion_->restrictTo({mode_});
-  else
+  if (felt_.empty())
     motion_->useAll();
+  else
+    motion_->restrictTo(felt_);
+}
+
+void ElasticMolecule::feelMode(std::size_t mode, bool on) {
+  if (!model_ || mode >= model_->modes->count() || on == feels(mode)) return;
+  const auto at = std::lower_bound(felt_.begin(), felt_.end(), mode);
+  if (on)
+    felt_.insert(at, mode);
+  else
+    felt_.erase(at);
+  restrict();
 }
 
 std::optional<AtomsMoved> ElasticMolecule::position() const {
@@ -237,7 +256,8 @@ void ElasticMolecule::show(const MotionSource& source, const AtomsMoved& positio
   if (stage.molecule != molecule_ || !model_) {
     forget();
     molecule_ = stage.molecule;
-    Expected<ElasticModel> made = modelOf(molecule_, bodyAtoms(stage));
+    Expected<ElasticModel> made =
+        modelOf(molecule_, bodyAtoms(stage), options_.cache_folder, std::make_shared<ElasticProgress>());
     if (!made) return;
     model_ = std::make_shared<const ElasticModel>(*std::move(made));
     motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);

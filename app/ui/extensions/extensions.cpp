@@ -33,6 +33,7 @@ Extensions::Extensions(Application& app)
       held_poses(app, app.scene, app.lesson, app.time()),
       surface_scan(app.scene, app.lesson, app.messages, app.time()),
       potential_colours(app.scene),
+      force_faults(app.scene, app.messages),
       touch_paint(reveal_policy, app.scene, app.lesson),
       device(task_stager, app.scene, app.settings, app.messages, app.panels, app.layout(), app.options(), app.time()),
       hand_recorder(movers, recorder, device, app, app.scene, app.messages, app.panels, app.file_dialog,

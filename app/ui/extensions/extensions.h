@@ -8,6 +8,7 @@
 #include "app/ui/extensions/card_pictures.h"
 #include "app/ui/extensions/class_turns.h"
 #include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/force_faults.h"
 #include "app/ui/extensions/hand_model.h"
 #include "app/ui/extensions/hand_recorder.h"
 #include "app/ui/extensions/held_poses.h"
@@ -63,6 +64,7 @@ struct Extensions final : ExtensionSet {
   HeldPoses held_poses;
   SurfaceScan surface_scan;
   PotentialColours potential_colours;
+  ForceFaults force_faults;
   TouchPaint touch_paint;
   DeviceLink device;
   HandRecorder hand_recorder;
@@ -74,11 +76,11 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks precede the history, so that it never records a change of a locked value. The history
   // precedes the scene change, whose glide it queries. The name is asked for before the recorder begins. The device
   // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
-  std::array<Extension*, 26> all_{
-      &settings_keeper, &lesson_watch, &lesson_locks, &name_asker,   &recorder,         &turns,       &playback,
-      &history,         &scene_change, &hand_model,   &lesson_list,  &card_pictures,    &task_stager, &reveal_policy,
-      &movers,          &state_text,   &touch_sound,  &measuring,    &touch_paint,      &device,      &hand_recorder,
-      &lesson_pictures, &own_look,     &held_poses,   &surface_scan, &potential_colours};
+  std::array<Extension*, 27> all_{
+      &settings_keeper, &lesson_watch, &lesson_locks, &name_asker,   &recorder,          &turns,       &playback,
+      &history,         &scene_change, &hand_model,   &lesson_list,  &card_pictures,     &task_stager, &reveal_policy,
+      &movers,          &state_text,   &touch_sound,  &measuring,    &touch_paint,       &device,      &hand_recorder,
+      &lesson_pictures, &own_look,     &held_poses,   &surface_scan, &potential_colours, &force_faults};
 };
 
 }  // namespace moltact

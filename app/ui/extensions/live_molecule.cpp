@@ -367,14 +367,29 @@ void LiveMolecule::beforeTicks() {
   addImpulses();
   if (ticks_ < kStep_ticks || !waiting_.empty()) {
     if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
-    return;
+    return drawNewest();
   }
   const double dt_s = double(ticks_) * kTick_s;
   pushAtoms();
   simulation_->command(wanted_);
   simulation_->pass(dt_s);
   readFrame(dt_s);
+  if (!simulation_) return;  // lost
   if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+  drawNewest();
+}
+
+// The picture does not wait for the smoothing of what is felt. Atoms that jump are drawn when they have been placed.
+void LiveMolecule::drawNewest() {
+  const SimulationFrame& newest = simulation_->newest();
+  if (newest.serial == drawn_ || newest.lost || newest.silent || newest.starts != frame_.starts ||
+      newest.positions_A.size() != smooth_A_.size())
+    return;
+  drawn_ = newest.serial;
+  std::vector<Sphere> at = scene_.atoms().resting().spheres->spheres().copy();
+  for (std::size_t i = 0; i < std::min(at.size(), newest.positions_A.size()); ++i)
+    at[i].centre_A = newest.positions_A[i];
+  scene_.atoms().show(std::move(at));
 }
 
 void LiveMolecule::readFrame(double dt_s) {
@@ -384,6 +399,10 @@ void LiveMolecule::readFrame(double dt_s) {
   const bool unstable = newest.blow_ups != frame_.blow_ups;
   // The hand must not feel what has stopped to follow it.
   const bool again = newest.starts != frame_.starts || newest.silent != frame_.silent;
+  if (newest.wrapped && !frame_.wrapped)
+    messages_.warning(
+        tr("The server puts atoms that leave its box back on the other side. Each time the force on the hand restarts. "
+           "Set the server to send unwrapped coordinates (LAMMPS: 'unwrap on')."));
   frame_ = newest;
   unplotted_s_ += dt_s;
   if (unplotted_s_ >= kPlotted_s) {

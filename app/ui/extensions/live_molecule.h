@@ -28,9 +28,11 @@ class LiveMolecule : public AtomMover {
   static constexpr double kScale_pN_per_N = 250.0;
   /// The stiffest spring and the largest force with which the hand may push or pull atoms.
   static constexpr double kStiffest_kcal_mol_A2 = 100.0, kStrongest_pN = 2000.0;
-  /// The atoms follow the simulation with this time constant, so that the hand feels their thermal motion smoothed.
+  /// The felt atoms follow the simulation with this time constant, so that the hand feels their thermal motion smoothed.
+  /// The drawn ones are where the simulation has them.
   static constexpr double kSmooth_s = 0.04;
-  static constexpr int kStep_ticks = 20;
+  /// The hand's impulses are summed for this time: less than a frame of the screen at 60 frames a second.
+  static constexpr int kStep_ticks = 16;
   /// Stiffness of the spring that holds the centre of mass in place.
   static constexpr double kHold_kcal_mol_A2 = 5.0;
   static constexpr double kFriction_per_ps = 2.0;
@@ -128,6 +130,7 @@ class LiveMolecule : public AtomMover {
   void takeSceneKeys();
   double massOf(std::uint32_t atom) const { return atom < masses_u_.size() ? masses_u_[atom] : 1.0; }
   void readFrame(double dt_s);
+  void drawNewest();
   void startAgain();
   std::vector<Sphere> placed() const;
 
@@ -143,6 +146,7 @@ class LiveMolecule : public AtomMover {
   SimulationCommand wanted_;
   SimulationFrame frame_;
   std::vector<Vec3> smooth_A_;      // the atoms as they are felt
+  std::uint64_t drawn_ = 0;         // the frame that is drawn
   std::vector<Vec3> impulses_N_s_;  // of each atom since the last step
   std::uint64_t ticks_ = 0;         // in which they were given
   std::vector<Sphere> waiting_;     // the atoms until the loop takes them

@@ -53,7 +53,7 @@ PlayedTrajectory::Reading PlayedTrajectory::readingOf(std::shared_ptr<FrameStore
         out.failed = frame;
         break;
       }
-      out.placed.push_back({frame, {*positions, store->time_ps(frame)}});
+      out.placed.push_back({frame, {*positions, store->time_ps(frame), store->leapLimit_A(frame)}});
     }
   } catch (const std::exception& e) {
     out.problem = Problem{{}, 0, 0, trf("the frames cannot be read: {0}", e.what()), {}};
@@ -90,6 +90,7 @@ void PlayedTrajectory::forget() {
   seek_.reset();
   shown_.reset();
   smoothing_ = 0;
+  leaps_ = {};
 }
 
 void PlayedTrajectory::sceneChanged() {
@@ -175,6 +176,7 @@ void PlayedTrajectory::takeOpened(Expected<Reading> opened) {
     return messages_.error(opened.problem().text());
   }
   store_ = opened->store;
+  leaps_ = LeapGuard(store_->placer().partOf(), store_->placer().parts());
   format_ = store_->file().format();
   take(*std::move(opened));
   started_ = false;
@@ -261,11 +263,52 @@ std::optional<std::vector<Sphere>> PlayedTrajectory::spheresAt(double at) const 
   // Past the last frame, the atoms are on the way to the first.
   const auto from = placed_.find(std::min(low, last())), to = placed_.find(high > last() ? first() : high);
   if (from == placed_.end() || to == placed_.end()) return std::nullopt;
-  const std::vector<Vec3> places = between(*from->second.positions, *to->second.positions, at - double(low));
+  const FramePlacer& placer = store_->placer();
+  const double share = at - double(low);
+  std::vector<Vec3> places = between(*from->second.positions, *to->second.positions, share);
+  // What leaps is in one of the two frames.
+  if (const double limit_A = leapLimit_A(at); share != 0.0 && limit_A > 0.0) {
+    const std::vector<bool> leaps =
+        leapsBetween(*from->second.positions, *to->second.positions, placer.partOf(), placer.parts(), limit_A);
+    const std::vector<Vec3>& one = share < 0.5 ? *from->second.positions : *to->second.positions;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (leaps[placer.partOf()[i]]) places[i] = one[i];
+  }
   std::vector<Sphere> out = scene_.atoms().resting().spheres->spheres().copy();
   if (out.size() != places.size()) return std::nullopt;
   for (std::size_t i = 0; i < out.size(); ++i) out[i].centre_A = places[i];
   return out;
+}
+
+// The step above which a covalent molecule leaps, at a place between frames; 0: none does.
+double PlayedTrajectory::leapLimit_A(double at) const {
+  const auto low = std::min(std::size_t(std::floor(at)), last());
+  const auto found = placed_.find(low);
+  return found == placed_.end() ? 0.0 : found->second.leap_limit_A;
+}
+
+// Hands over a piece of the motion, in which no atom flies through the periodic cell.
+bool PlayedTrajectory::move(std::vector<Sphere> to, double at, int ticks) {
+  const double limit_A = leapLimit_A(at);
+  if (!(limit_A > 0.0) && !leaps_.unsettled()) return scene_.moveAtoms(own_, to, ticks);
+  const ServoSample& hand = scene_.log().latest();
+  const HeldBody* body = scene_.stage().body.get();
+  const PoseA pose = hand.shownBody();
+  const double probe_A = scene_.servo_settings.probe_A;
+  const auto occupied = [&](const Sphere& sphere) {
+    const auto near = [&](const Vec3& place, double radius_A) {
+      return glm::distance(place, sphere.centre_A) < sphere.radius_A + radius_A + LeapGuard::kClear_A;
+    };
+    if (!body) return near(hand.hip.A, probe_A) || near(hand.contact.scp.A, probe_A);
+    if (!near(pose.place.A, body->reach_A)) return false;
+    return std::any_of(body->spheres.begin(), body->spheres.end(),
+                       [&](const Sphere& s) { return near(pose.place.A + pose.orientation * s.centre_A, s.radius_A); });
+  };
+  LeapGuard next = leaps_;
+  next.step(to, limit_A, occupied);
+  if (!scene_.moveAtoms(own_, to, ticks)) return false;
+  leaps_ = std::move(next);
+  return true;
 }
 
 // The place after `dt_s`; empty at the end. Turns round at an end.
@@ -311,11 +354,14 @@ bool PlayedTrajectory::seek() {
   if (!spheres) return false;
   const SharedArray<Sphere>& now = scene_.stage().spheres->spheres();
   double farthest_A = 0.0;
+  const double limit_A = leapLimit_A(to);
   for (std::size_t i = 0; i < spheres->size(); ++i)
-    farthest_A = std::max(farthest_A, glm::distance((*spheres)[i].centre_A, now[i].centre_A));
+    if (const double way_A = glm::distance((*spheres)[i].centre_A, now[i].centre_A);
+        !(limit_A > 0.0 && way_A > limit_A))
+      farthest_A = std::max(farthest_A, way_A);
   const int ticks =
       std::clamp(int(std::ceil(farthest_A / kSeekSpeed_A_per_s / kTick_s)), piece_ticks(), kMaxSeek_ticks);
-  if (!own_.claim() || !scene_.moveAtoms(own_, *spheres, ticks)) return false;
+  if (!own_.claim() || !move(*spheres, to, ticks)) return false;
   at_ = to;
   seek_.reset();
   return true;
@@ -344,6 +390,7 @@ void PlayedTrajectory::beforeTicks() {
     close();
     return messages_.notice(tr("Forces between atoms act in a molecule at rest. The trajectory has been closed."));
   }
+  if (at_end != AtEnd::Return) direction_ = 1;  // the user may have chosen another end on the way back
   request();
   paintFluctuation();
   if (shown_ && !scene_.playedHand().on()) shown_.reset();
@@ -353,6 +400,7 @@ void PlayedTrajectory::beforeTicks() {
     at_ = std::clamp(at_, double(first()), double(last()));
     const auto spheres = spheresAt(at_);
     if (!spheres || !own_.claim() || !scene_.placeAtoms(own_, *spheres)) return;
+    leaps_.place(*spheres);
     started_ = true;
     if (by_lesson_ && lesson_.session()) {
       // The same object each time the scene restarts, so that its tasks are kept.
@@ -365,13 +413,15 @@ void PlayedTrajectory::beforeTicks() {
     seek();
     return;
   }
+  if (!running_ && leaps_.unsettled() && own_.claim())
+    if (auto spheres = spheresAt(at_)) move(*std::move(spheres), at_, piece_ticks());
   if (!running_ || !own_.claim()) return;
   const int direction = direction_;
   const std::optional<double> to = next(piece_ticks() * kTick_s);
   if (!to) return;
-  const auto spheres = spheresAt(*to);
+  auto spheres = spheresAt(*to);
   // A motion can only be queued after the previous one has begun.
-  if (spheres && scene_.moveAtoms(own_, *spheres, piece_ticks()))
+  if (spheres && move(*std::move(spheres), *to, piece_ticks()))
     at_ = *to;
   else
     direction_ = direction;
@@ -410,6 +460,7 @@ void PlayedTrajectory::show(const MotionSource& source, const AtomsMoved& positi
   request();
   const auto spheres = spheresAt(wanted);
   if (!spheres || !scene_.placeAtoms(source, *spheres)) return;
+  leaps_.place(*spheres);
   at_ = wanted;
   started_ = true;
   shown_.reset();

@@ -17,6 +17,7 @@
 #include "app/ui/extensions/atom_mover.h"
 #include "engine/platform/background.h"
 #include "engine/trajectory/frame_store.h"
+#include "engine/trajectory/leap_guard.h"
 
 namespace moltact {
 
@@ -50,7 +51,7 @@ class PlayedTrajectory : public AtomMover {
 
   std::string_view kind() const override { return "trajectory"; }
   std::optional<AtomsMoved> position() const override;
-  bool moving() const override { return frames_ > 1 && (running_ || seek_); }
+  bool moving() const override { return frames_ > 1 && (running_ || seek_ || leaps_.unsettled()); }
   void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
 
   bool ready() const { return frames_ > 0; }
@@ -89,6 +90,7 @@ class PlayedTrajectory : public AtomMover {
   struct Placed {
     AtomPositions positions;
     std::optional<double> time_ps;
+    double leap_limit_A = 0.0;  // FrameStore::leapLimit_A
   };
   // What a background task found.
   struct Reading {
@@ -114,6 +116,8 @@ class PlayedTrajectory : public AtomMover {
   std::size_t maxReady() const;
   // The positions at a place between frames; empty until both frames have been read.
   std::optional<std::vector<Sphere>> spheresAt(double at) const;
+  double leapLimit_A(double at) const;
+  bool move(std::vector<Sphere> to, double at, int ticks);
   std::optional<double> next(double dt_s);
   bool seek();
   void paintFluctuation();
@@ -136,6 +140,7 @@ class PlayedTrajectory : public AtomMover {
   std::map<std::size_t, Placed> placed_;  // frames near the present one
   std::set<std::size_t> failed_;          // frames that could not be read
   std::size_t placed_smoothing_ = 0;
+  LeapGuard leaps_;  // in the motion that the loop follows
   double at_ = 0.0, per_s_ = 10.0;
   int direction_ = 1;
   bool running_ = false, started_ = false;

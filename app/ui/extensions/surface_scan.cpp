@@ -32,20 +32,23 @@ void SurfaceScan::forget() {
 // A scan goes on where the scene has only been placed anew.
 void SurfaceScan::begin() {
   const LessonSession* session = lesson_.session();
-  const double tip_A = session && lesson_.onStage() && scene_.stage() ? session->scene().scan_A : 0.0;
-  if (!(tip_A > 0.0)) return forget();
-  if (tip_ && spheres_ == scene_.stage().spheres && tip_->setup().tip_A == tip_A) return touch(false);
-  scan(tip_A);
+  if (!session || !lesson_.onStage() || !scene_.stage()) return forget();
+  const SceneSpec& spec = session->scene();
+  if (!(spec.scan_A > 0.0)) return forget();
+  const bool same = tip_ && tip_->setup().tip_A == spec.scan_A && tip_->setup().force_pN == spec.scan_force_pN;
+  if (same && spheres_ == scene_.stage().spheres) return touch(false);
+  scan(spec.scan_A, spec.scan_force_pN);
 }
 
 void SurfaceScan::again() {
-  if (tip_) scan(tip_->setup().tip_A);
+  if (tip_) scan(tip_->setup().tip_A, tip_->setup().force_pN);
 }
 
-void SurfaceScan::scan(double tip_A) {
+void SurfaceScan::scan(double tip_A, double force_pN) {
   forget();
   const TouchableModel& stage = scene_.stage();
-  ScanSetup setup{.tip_A = tip_A, .spacing_A = kFinest_A, .orientation = scene_.camera.orientation};
+  ScanSetup setup{
+      .tip_A = tip_A, .spacing_A = kFinest_A, .force_pN = force_pN, .orientation = scene_.camera.orientation};
   const std::vector<std::uint32_t> without = stage.spheres->untouchable();
   auto tip = ScanningTip::over(stage.spheres->spheres(), setup, without);
   // Where the scan is too large, at the coarsest spacing first, to learn how large it is.
@@ -69,16 +72,26 @@ void SurfaceScan::scan(double tip_A) {
 void SurfaceScan::touch(bool surface) {
   if (surface == touching() || (surface && !field_)) return;
   if (!surface) return scene_.scanned().touch(nullptr);
-  // The surface is that of spheres which are larger by the tip and lower by its radius; the substrate is nearly flat.
+  // The surface is that of spheres which are larger by the tip and lower by its radius, and lower by the depth to which
+  // a force presses the tip into them; the substrate is nearly flat.
   constexpr double kFlat_A = 1e5;
   const ScanSetup& setup = tip_->setup();
   const double probe_A = scene_.servo_settings.probe_A;
   const Vec3 up = field_->frame.orientation * Vec3(0, 0, 1);
   const SphereGrid& atoms = *scene_.stage().spheres;
+  const auto sunk_A = [&](const Sphere& atom) {
+    const Vec3 at = field_->frame.toScan(atom.centre_A);
+    const auto node = [&](double x, int count) {
+      return std::clamp(static_cast<int>(std::lround(x / field_->spacing_A)), 0, count - 1);
+    };
+    return std::max(0.0, at.z + atom.radius_A - field_->at(node(at.x, field_->columns), node(at.y, field_->rows)));
+  };
   std::vector<Sphere> like;
   for (std::size_t i = 0; i < atoms.size(); ++i)
-    if (atoms.touchable(i))
-      like.push_back({atoms[i].centre_A - setup.tip_A * up, std::max(0.0, atoms[i].radius_A + setup.tip_A - probe_A)});
+    if (atoms.touchable(i)) {
+      const double lower_A = setup.tip_A + (setup.force_pN > 0.0 ? sunk_A(atoms[i]) : 0.0);
+      like.push_back({atoms[i].centre_A - lower_A * up, std::max(0.0, atoms[i].radius_A + setup.tip_A - probe_A)});
+    }
   const Vec3 middle = field_->frame.toMolecule({0.5 * field_->width_A(), 0.5 * field_->depth_A(), 0.0});
   like.push_back({middle - (kFlat_A + probe_A) * up, kFlat_A});
   scene_.scanned().touch(field_, std::make_shared<const SphereGrid>(std::move(like)));

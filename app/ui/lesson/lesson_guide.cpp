@@ -260,13 +260,16 @@ void LessonGuide::feed(const ServoSample& s, std::string_view method, const Cont
 }
 
 ViewPartSet LessonGuide::shownParts() const {
-  ViewPartSet shown = defaultViewParts();
+  ViewPartSet shown;
+  if (session_ && !session_->scene().show.empty()) {
+    for (const std::string& name : session_->scene().show)
+      for (const ViewPartInfo& part : viewParts())
+        if (part.name == name) shown.set(part.part);
+    return shown;
+  }
+  shown = defaultViewParts();
   shown.set(ViewPart::Facets);  // visible only with a method that uses triangles
   shown.set(ViewPart::Hip);     // the HIP's depth below the surface replaces the force, which a mouse cannot give
-  if (!session_ || session_->scene().show.empty()) return shown;
-  for (const std::string& name : session_->scene().show)
-    for (const ViewPartInfo& part : viewParts())
-      if (part.name == name) shown.set(part.part);
   return shown;
 }
 

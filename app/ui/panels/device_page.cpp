@@ -196,6 +196,17 @@ void drawLive(Application& app, DeviceLink& link) {
                 .c_str());
 }
 
+// What is known of a device's rotation.
+std::string torqueText(const DeviceInfo& info) {
+  if (info.dof_out < 6 || !(info.max_torque_N_mm > 0.0))
+    return tr("It gives no torque. The arc in the picture shows how the molecule turns what you hold.");
+  const std::string most = numberText(info.max_torque_N_mm) + "\u00a0N\u00a0mm";
+  return info.rotational_damping_N_mm_s > 0.0
+             ? trf("It gives a torque of at most {0}. The damping of its rotation is {1}.", most,
+                   numberText(info.rotational_damping_N_mm_s) + "\u00a0N\u00a0mm\u00a0s/rad")
+             : trf("It gives a torque of at most {0}. The damping of its rotation is not known.", most);
+}
+
 void drawLimits(Application& app) {
   const Palette& p = look().palette;
   const DeviceInfo& info = app.scene.servo().device();
@@ -213,6 +224,7 @@ void drawLimits(Application& app) {
           : trf("This device gives no force. What you see of it on the screen is at most {0}.",
                 force(s.max_force_N, 1));
   words("device/limits", text, p.quiet);
+  if (info.gives_force) words("device/torque", torqueText(info), p.quiet);
 }
 
 // Recording a hand to a file. Opening the file plays it.

@@ -1,8 +1,9 @@
 // The part of the tab Motion about an elastic molecule: the switch whether it yields to the hand as an elastic network,
-// and the network's modes, each shown as a movement or felt alone.
+// and the network's modes, each shown as a movement, or some of them felt alone.
 #include <imgui.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,21 +29,30 @@ void drawModes(ElasticMolecule& elastic) {
   const ElasticModel& model = *elastic.model();
   ImGui::Spacing();
   sectionTitle(tr("Its softest motions"));
-  std::size_t mode = elastic.mode();
+  drawWrapped("mode/energy", trf("Beside each: the energy that moves the residues along it by 1 Å (root mean square). "
+                                 "Heat gives a motion {0}.",
+                                 energyBetweenAtoms(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
+  const std::vector<std::size_t>& felt = elastic.feltModes();
+  const std::size_t listed = std::min(std::max(kListed, felt.empty() ? 0 : felt.back() + 1), model.modes->count());
   std::vector<std::string> numbers;
-  for (std::size_t k = 0; k < std::min(kListed, model.modes->count()); ++k) numbers.push_back(std::to_string(k + 1));
-  if (segments("modes", numbers, mode)) elastic.chooseMode(mode);
-  // A mode has unit length over all nodes.
-  const double energy = 0.5 * model.modes->eigenvalues[mode] * model.spring_kcal_mol_A2 * double(model.modes->nodes);
-  drawWrapped(
-      "mode/energy",
-      trf("Moving the residues along it by 1 Å (root mean square) takes {0}. Heat gives a motion {1}.",
-          energyBetweenAtoms(energy, significant(2)), energyBetweenAtoms(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
-  bool shown = elastic.modeShown(), alone = elastic.modeAlone();
-  if (toggle("mode/shown", tr("Show this motion"), shown, tr("Moves the molecule to and fro along this motion.")))
+  for (std::size_t k = 0; k < listed; ++k) {
+    numbers.push_back(std::to_string(k + 1));
+    // A mode has unit length over all nodes.
+    const double energy = 0.5 * model.modes->eigenvalues[k] * model.spring_kcal_mol_A2 * double(model.modes->nodes);
+    bool on = elastic.feels(k);
+    if (toggle(("mode/" + numbers[k]).c_str(),
+               trf("Motion {0}: {1}", numbers[k], energyBetweenAtoms(energy, significant(2))).c_str(), on,
+               tr("The molecule gives way along the motions that are switched on; with none, in every way.")))
+      elastic.feelMode(k, on);
+  }
+  drawWrapped("mode/felt", elastic.feltModes().empty()
+                               ? tr("The molecule gives way in every way.")
+                               : tr("The molecule gives way along the motions that are switched on, and no other."));
+  bool shown = elastic.modeShown();
+  if (toggle("mode/shown", tr("Show a motion"), shown, tr("Moves the molecule to and fro along this motion.")))
     elastic.showMode(shown);
-  if (toggle("mode/alone", tr("Feel it alone"), alone, tr("The molecule gives way along this motion only.")))
-    elastic.feelModeAlone(alone);
+  std::size_t mode = elastic.mode();
+  if (segments("modes", std::span(numbers).first(std::min(kListed, listed)), mode)) elastic.chooseMode(mode);
 }
 
 }  // namespace
@@ -67,7 +77,10 @@ bool drawElasticMoleculeSection(Application& app) {
   }
   if (!elastic.on()) return false;
   if (!elastic.model()) {
-    drawWrapped("elastic/problem", elastic.computing() ? tr("The springs are being computed.") : elastic.problem());
+    drawWrapped("elastic/problem", elastic.computing() ? trf("The springs are being computed: {0}",
+                                                             quantityText(elastic.progress(), Dimension::Share))
+                                                       : elastic.problem());
+    if (elastic.computing()) progressBar("elastic/progress", float(elastic.progress()), false);
     return true;
   }
   drawWrapped("elastic/displacement", trf("Greatest displacement: {0}",

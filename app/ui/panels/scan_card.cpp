@@ -28,10 +28,14 @@ void drawScanCard(Application& app, ViewRoom& room) {
   const float longest = float(std::max(field.columns, field.rows));
   const ImVec2 picture{most * float(field.columns) / longest, most * float(field.rows) / longest};
   const char* const label = scan.touching() ? tr("Touch the atoms") : tr("Touch the scan");
+  const std::string done = quantityText(double(scan.lines()) / field.rows, Dimension::Share),
+                    high = quantityText(highest_A(field, field.rows), Dimension::Length, decimals(1));
+  const double force_pN = scan.setup().force_pN;
   const std::string words =
-      scan.running()
-          ? trf("Scanning: {0}", quantityText(double(scan.lines()) / field.rows, Dimension::Share))
-          : trf("Up to {0} high", quantityText(highest_A(field, field.rows), Dimension::Length, decimals(1)));
+      force_pN > 0.0   ? scan.running() ? trf("Scanning at {0} pN: {1}", numberText(force_pN, decimals(0)), done)
+                                        : trf("At {0} pN up to {1} high", numberText(force_pN, decimals(0)), high)
+        : scan.running() ? trf("Scanning: {0}", done)
+                       : trf("Up to {0} high", high);
   const auto wide = [&](const char* text) { return ImGui::CalcTextSize(text).x; };
   const float buttons = std::max({wide(tr("Touch the atoms")), wide(tr("Touch the scan")), wide(tr("Scan from here"))});
   const float width = std::max({picture.x, wide(words.c_str()), buttons + l.px(24)}) + 2 * pad,

@@ -151,7 +151,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
 ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
-  scene.molecule = app.scene.atoms().seen();
+  scene.molecule = app.scene.atoms().drawn();
   scene.camera = app.scene.camera;
   scene.shown = app.extensions().reveal_policy.shownParts();
   scene.theme = look().viewTheme();

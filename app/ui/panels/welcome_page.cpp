@@ -62,7 +62,9 @@ void drawProgress(ImDrawList* draw, const CardText& text, ImVec2 a, float width)
                         text.done ? p.good : p.accent, 0.5f * high);
 }
 
-bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width, bool abouts = false) {
+// `find` returns the picture, and is called only while the card is in sight.
+template <class Find>
+bool drawCard(Grid& grid, const CardText& text, Find find, float width, bool abouts = false) {
   const Look& l = look();
   const Palette& p = l.palette;
   const float pad = l.px(12), round = l.px(10), shot = std::round(width * 9.0f / 16.0f);
@@ -74,6 +76,7 @@ bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width
   const bool clicked = ImGui::InvisibleButton("card", {width, height});
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImTextureID picture = ImGui::IsItemVisible() ? find() : ImTextureID{};
   const bool hovered = ImGui::IsItemHovered();
   if (keysAtItem()) grid.panels.card.card = grid.count;
   const bool selected = grid.selected();
@@ -171,7 +174,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
   const LessonCard* chosen = nullptr;
   rows(grid, cards.size(), kLessonWidth, [&](std::size_t k, float width) {
     const LessonCard& c = *cards[k];
-    const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{};
+    const auto picture = [&] { return c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{}; };
     if (drawCard(grid, textOf(c), picture, width, abouts)) chosen = &c;
   });
   if (chosen) e.lesson_list.begin(*chosen);
@@ -193,7 +196,7 @@ void drawMolecules(Application& app, Grid& grid) {
   heading(tr("Explore freely"));
   rows(grid, items.size(), kMoleculeWidth, [&](std::size_t k, float width) {
     const LibraryItem& m = items[k];
-    const ImTextureID picture = app.extensions().card_pictures.find({{m.file}, SceneSpec{}});
+    const auto picture = [&] { return app.extensions().card_pictures.find({{m.file}, SceneSpec{}}); };
     if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture,
                  width))
       explore(app, m.file);

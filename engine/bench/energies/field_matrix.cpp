@@ -9,6 +9,7 @@
 #include "engine/bench/closed_loop.h"
 #include "engine/bench/energies/energy_task.h"
 #include "engine/bench/many_threads.h"
+#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/field/compute_grid.h"
 #include "engine/haptics/field/coupled_field.h"
 #include "engine/haptics/methods.h"
@@ -56,9 +57,10 @@ std::unique_ptr<Interaction> onGrid(const FieldScene& scene, const std::shared_p
   Vec3 low(1e300), high(-1e300);
   for (const Vec3& p : scene.path) low = glm::min(low, p), high = glm::max(high, p);
   // The device overshoots the hand's path.
-  const auto box = gridBoxRound(low - Vec3(4.0), high + Vec3(4.0), kFieldSpacing_A);
+  const double round_A = 4.0 + (scene.body ? scene.body->reach_A : 0.0);
+  const auto box = gridBoxRound(low - Vec3(round_A), high + Vec3(round_A), kFieldSpacing_A);
   if (!box) return nullptr;
-  const std::vector<PairAtom> body{scene.probe};
+  const std::vector<PairAtom> body = scene.held();
   const std::vector<float> sizes = gridSizes(body);
   auto maps = computeGridMaps(*places, scene.atoms, *box, sizes, scene.model, 1);
   foldWalls(*maps, kGridWall_kcal_mol);
@@ -75,23 +77,34 @@ std::unique_ptr<Interaction> interactionOf(const FieldScene& scene, std::string_
   PairModel model = scene.model;
   if (method == "direct") model.wall_kcal_mol = std::numeric_limits<double>::infinity();
   if (method != "coupled")
-    return std::make_unique<FieldAtHand<PairSum>>(PairSum(places, scene.atoms, {scene.probe}, model),
+    return std::make_unique<FieldAtHand<PairSum>>(PairSum(places, scene.atoms, scene.held(), model),
                                                   scene.N_per_kcal_mol_A);
   auto field = std::make_shared<PairField>();
   field->places = places;
   field->atoms = scene.atoms;
   for (std::uint32_t i = 0; i < scene.atoms.size(); ++i) field->carriers.push_back(i);
-  field->held = {scene.probe};
+  field->held = scene.held();
   field->model = model;
   VirtualCoupling coupling;
   coupling.stiffness_kcal_mol_A2 = spring_N_per_A / scene.N_per_kcal_mol_A;
+  if (scene.body) {
+    auto inner = std::make_unique<ExactBody>(places, scene.body);
+    coupling.lever_A = inner->lever_A();
+    coupling.reach_A = scene.body->reach_A;
+    return std::make_unique<CoupledField>(std::move(inner), std::move(field), coupling);
+  }
   return std::make_unique<CoupledField>(findMethod("exact")->make(places, scene.probe_A), std::move(field), coupling);
 }
 
-double overlapOf(const FieldScene& scene, const Vec3& probe) {
+double overlapOf(const FieldScene& scene, const PoseA& at) {
   double out = 0.0;
-  for (const Sphere& s : scene.spheres)
-    if (s.radius_A > 0.0) out = std::max(out, s.radius_A + scene.probe_A - glm::distance(s.centre_A, probe));
+  const auto with = [&](const Vec3& centre_A, double radius_A) {
+    for (const Sphere& s : scene.spheres)
+      if (s.radius_A > 0.0) out = std::max(out, s.radius_A + radius_A - glm::distance(s.centre_A, centre_A));
+  };
+  if (!scene.body) with(at.place.A, scene.probe_A);
+  if (scene.body)
+    for (const Sphere& held : scene.body->spheres) with(at.place.A + at.orientation * held.centre_A, held.radius_A);
   return out;
 }
 
@@ -101,6 +114,7 @@ FieldResult runFieldScene(const FieldScene& scene, std::string_view method) {
   FieldResult out{.scene = scene.name, .method = method};
   LoopSettings loop;
   loop.device.friction_N = kLittleFriction_N;
+  loop.stiffness_N_per_mm = scene.loop_N_per_mm;
   const double spring_N_per_A = loop.stiffness_N_per_mm / loop.workspace.A_per_mm;
   const std::unique_ptr<Interaction> felt = interactionOf(scene, method, spring_N_per_A);
   ClosedLoop device(loop, {scene.path.front()});
@@ -111,12 +125,13 @@ FieldResult runFieldScene(const FieldScene& scene, std::string_view method) {
   for (std::size_t k = 0; k < scene.path.size(); ++k) {
     const LoopTick tick = device.tick(*felt, {scene.path[k]});
     ++out.ticks;
-    const Vec3 probe = method == "coupled" && tick.contact.fault == Fault::None ? tick.contact.scp.A : tick.hip.A;
-    if (!finite(tick.force.N) || !finite(probe)) {
+    const PoseA at =
+        method == "coupled" && tick.contact.fault == Fault::None ? tick.body : PoseA{tick.hip, kNoRotation};
+    if (!finite(tick.force.N) || !finite(at.place.A)) {
       ++out.broken;
       continue;
     }
-    const double overlap_A = overlapOf(scene, probe);
+    const double overlap_A = overlapOf(scene, at);
     outside = outside || overlap_A == 0.0;
     if (outside) out.overlap_A = std::max(out.overlap_A, overlap_A);
     calm = glm::distance(tick.hip.A, last_hip) < kSlow_A ? calm + 1 : 0;
@@ -130,6 +145,7 @@ FieldResult runFieldScene(const FieldScene& scene, std::string_view method) {
     }
   }
   out.jitter_mm = glm::length(glm::max(Vec3(0.0), high - low));
+  out.returned_J = device.made_J();
   out.made_J = std::max(0.0, device.made_J() - device.samplingBound_J());
   return out;
 }

@@ -34,7 +34,8 @@ struct FieldResult {
   std::size_t draw = 0;
   std::size_t ticks = 0, broken = 0;
   double overlap_A = 0, made_J = 0, step_N = 0, jitter_mm = 0;
-  double force_N = 0;  ///< greatest
+  double returned_J = 0;  ///< made_J with what sampling can make
+  double force_N = 0;     ///< greatest
 };
 
 FieldResult runFieldScene(const FieldScene& scene, std::string_view method);

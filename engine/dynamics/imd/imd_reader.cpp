@@ -127,9 +127,11 @@ ImdReader::Event ImdReader::body() {
   if (!kept_) return Event::None;
   const std::uint8_t* at = bytes_.data();
   if (type_ == ImdType::SessionInfo) {
-    constexpr std::size_t kPositions = 3;  // time, energies, box, positions, wrapped, velocities, forces
+    // Time, energies, box, positions, wrapped, velocities, forces.
+    constexpr std::size_t kPositions = 3, kWrapped = 4;
     if (at[kPositions] == 0)
       return fail(tr("the server is set to send no positions"), tr("set it to send coordinates"));
+    wrapped_ = at[kWrapped] != 0;
     greeted_ = true;
     return Event::Greeted;
   }

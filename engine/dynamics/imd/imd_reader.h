@@ -62,6 +62,8 @@ class ImdReader {
   Event next(std::span<const std::uint8_t>& bytes);
 
   int version() const { return version_; }
+  /// Whether the server puts atoms that leave its box back on the other side (version 3 says so).
+  bool wrapped() const { return wrapped_; }
   /// Whether the server's numbers have the least significant byte first.
   bool littleEndian() const { return little_; }
   const ImdEnergies& energies() const { return energies_; }
@@ -86,7 +88,7 @@ class ImdReader {
   bool in_body_ = false, kept_ = true;
   ImdType type_ = ImdType::Handshake;
   int version_ = 0;
-  bool little_ = true, greeted_ = false, failed_ = false;
+  bool little_ = true, greeted_ = false, failed_ = false, wrapped_ = false;
   ImdEnergies energies_;
   double time_ps_ = 0.0;
   std::vector<Vec3> positions_A_;

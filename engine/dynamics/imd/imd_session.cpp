@@ -85,6 +85,7 @@ void ImdSession::received(std::span<const std::uint8_t> bytes, double now_s) {
 void ImdSession::greet(double now_s) {
   greeted_ = true;
   heard_s_ = now_s;
+  frame_.wrapped = reader_.wrapped();
   addImdMessage(to_send_, ImdType::Go);
   // An earlier client may have left forces behind.
   addImdForces(to_send_, {}, reader_.littleEndian());

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/haptics/field/pair_model.h"
@@ -23,6 +24,7 @@ struct PairField {
   /// Of each held atom, the atom of HeldBody (index in its lists) that carries it; empty for a probe.
   std::vector<std::uint32_t> held_carriers;
   PairModel model;
+  std::string faults;  ///< what is wrong with these parameters (engine/structure/amber/charge_faults.h); empty: nothing
 };
 
 }  // namespace moltact

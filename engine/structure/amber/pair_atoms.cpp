@@ -90,7 +90,8 @@ class Assigner {
       if (m_.atoms[i].residue == kNoResidue) byElement(i);
     for (std::uint32_t r = 0; r < m_.residues.size(); ++r) residue(r);
     if (!ligands_.empty()) parametrizeLigands();
-    if (!m_.charges_e.empty())
+    out_.file_charges = !m_.charges_e.empty();
+    if (out_.file_charges)
       for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) out_.atoms[i].charge_e = m_.charges_e[i];
     for (const Proton& p : protons_) place(p);
     for (const PairAtom& a : out_.atoms) out_.net_charge_e += double(a.charge_e);
@@ -171,6 +172,18 @@ class Assigner {
     out_.notes.push_back({kind, residue, std::string(name)});
   }
 
+  // A state that decides a charge; the charges of a file need none.
+  void noteState(PairAtoms::Note::Kind kind, std::uint32_t residue, std::string_view name, bool stated) {
+    if (!m_.charges_e.empty()) return;
+    note(kind, residue, name);
+    out_.notes.back().stated = stated;
+  }
+
+  bool hasHydrogens(const Residue& r) const {
+    const auto first = m_.atoms.begin() + r.first_atom;
+    return std::any_of(first, first + r.atom_count, [](const Atom& a) { return a.atomic_number == 1; });
+  }
+
   std::uint32_t find(const Residue& r, std::string_view name) const {
     for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i)
       if (formulaName(r.name, m_.atoms[i].nameText()) == name) return i;
@@ -196,53 +209,78 @@ class Assigner {
     return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return m_.atoms[i].residue != residue; });
   }
 
-  std::string stateOf(std::uint32_t index) {
+  // HID, HIE or HIP.
+  std::string histidine(std::uint32_t index) {
     const Residue& r = m_.residues[index];
+    const bool d = has(r, "HD1"), e = has(r, "HE2");
+    if (d || e) return d && e ? "HIP" : d ? "HID" : "HIE";
+    const std::uint32_t nd = find(r, "ND1"), ne = find(r, "NE2");
+    // The nitrogen on a metal has no proton; else the one nearer to an acceptor.
+    const bool delta =
+        bondedElsewhere(ne, index) || (!bondedElsewhere(nd, index) && acceptor_A(nd, index) < acceptor_A(ne, index));
+    return delta ? "HID" : "HIE";
+  }
+
+  // A sulphur on a metal has given its proton away.
+  std::string cysteine(std::uint32_t index) const {
+    const std::uint32_t sulphur = find(m_.residues[index], "SG");
+    if (!bondedElsewhere(sulphur, index)) return "CYS";
+    const auto near = bonds_.neighbours(sulphur);
+    const bool disulphide =
+        std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return m_.atoms[i].atomic_number == 16; });
+    return disulphide ? "CYX" : "CYM";
+  }
+
+  // ASP, GLU and LYS, or the state that the hydrogens of the file show.
+  std::string chargedSideChain(const Residue& r) const {
     const std::string name(r.name);
+    if (name == "ASP") return has(r, "HD2") ? "ASH" : name;
+    if (name == "GLU") return has(r, "HE2") ? "GLH" : name;
+    const int protons = has(r, "HZ1") + has(r, "HZ2") + has(r, "HZ3");
+    return protons == 2 ? "LYN" : name;
+  }
+
+  std::string stateOf(std::uint32_t index) {
+    using Kind = PairAtoms::Note::Kind;
+    const Residue& r = m_.residues[index];
+    std::string name(r.name);
+    // Names that state the protons.
+    if (name == "HID" || name == "HIE" || name == "HIP") noteState(Kind::Histidine, index, name, true);
+    if (name == "ASH" || name == "GLH" || name == "LYN") noteState(Kind::SideChain, index, name, true);
+    if (name == "CYX" || name == "CYM") noteState(Kind::Cysteine, index, name, true);
     if (name == "HIS") {
-      const bool d = has(r, "HD1"), e = has(r, "HE2");
-      if (d || e) return d && e ? "HIP" : d ? "HID" : "HIE";
-      const std::uint32_t nd = find(r, "ND1"), ne = find(r, "NE2");
-      // The nitrogen on a metal has no proton; else the one nearer to an acceptor.
-      const bool delta =
-          bondedElsewhere(ne, index) || (!bondedElsewhere(nd, index) && acceptor_A(nd, index) < acceptor_A(ne, index));
-      note(PairAtoms::Note::Kind::Histidine, index, delta ? "HID" : "HIE");
-      return delta ? "HID" : "HIE";
+      name = histidine(index);
+      noteState(Kind::Histidine, index, name, has(r, "HD1") || has(r, "HE2"));
+    } else if (name == "CYS") {
+      name = cysteine(index);
+      if (name != "CYS") noteState(Kind::Cysteine, index, name, false);
+    } else if (name == "ASP" || name == "GLU" || name == "LYS") {
+      name = chargedSideChain(r);
+      noteState(Kind::SideChain, index, name, hasHydrogens(r));
+    } else if (r.kind == ResidueKind::Nucleotide && name.size() == 1 && !has(r, "O2'")) {
+      return "D" + name;
     }
-    if (name == "CYS") {
-      const std::uint32_t sulphur = find(r, "SG");
-      if (bondedElsewhere(sulphur, index)) {
-        const auto near = bonds_.neighbours(sulphur);
-        const bool disulphide =
-            std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return m_.atoms[i].atomic_number == 16; });
-        return disulphide ? "CYX" : "CYM";  // a sulphur on a metal has given its proton away
-      }
-    }
-    if (name == "ASP" && has(r, "HD2")) return "ASH";
-    if (name == "GLU" && has(r, "HE2")) return "GLH";
-    if (r.kind == ResidueKind::Nucleotide && name.size() == 1 && !has(r, "O2'")) return "D" + name;
     return name;
   }
 
   // The name of the template with the ends of chains.
   std::string templateOf(std::uint32_t index) {
     const Residue& r = m_.residues[index];
-    std::string name = stateOf(index);
+    const std::string name = stateOf(index);
     const auto kindAt = [&](std::uint32_t k) {
       return k < m_.residues.size() && m_.residues[k].chain == r.chain && m_.residues[k].kind == r.kind;
     };
     const bool first = index == 0 || !kindAt(index - 1), last = !kindAt(index + 1);
-    if (r.kind == ResidueKind::Nucleotide) {
-      if (first && last) return name;
-      if (first && !has(r, "P")) name += '5';
-      if (last) name += '3';
-      return amberTemplate(name).empty() ? stateOf(index) : name;
-    }
-    if (r.kind != ResidueKind::AminoAcid || (first && last)) return name;
-    const std::string end = first ? "N" + name : last && has(r, "OXT") ? "C" + name : std::string();
-    if (end.empty() || amberTemplate(end).empty()) return name;
-    note(PairAtoms::Note::Kind::Terminus, index, end);
-    return end;
+    if ((!first && !last) || amberTemplate(name).empty()) return name;
+    std::string end;
+    if (first != last && r.kind == ResidueKind::Nucleotide)
+      end = last ? name + '3' : has(r, "P") ? std::string() : name + '5';
+    else if (first != last)
+      end = first ? "N" + name : has(r, "OXT") ? "C" + name : std::string();
+    const bool charged = !end.empty() && !amberTemplate(end).empty();
+    noteState(charged ? PairAtoms::Note::Kind::Terminus : PairAtoms::Note::Kind::InnerEnd, index, charged ? end : name,
+              false);
+    return charged ? end : name;
   }
 
   void residue(std::uint32_t index) {
@@ -257,7 +295,7 @@ class Assigner {
       const int charge_e = ion ? ionCharge_e(m_.atoms[r.first_atom].atomic_number) : 0;
       if (charge_e) {
         out_.atoms[r.first_atom].charge_e = float(charge_e);
-        note(PairAtoms::Note::Kind::Ion, index);
+        noteState(PairAtoms::Note::Kind::Ion, index, {}, false);
       } else if (!ion && hasLigandCharges(r)) {
         for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) of_ligand_[i] = 1;
         ligands_.push_back(index);

@@ -22,13 +22,18 @@ struct PairAtoms {
   std::vector<PairAtom> atoms;         ///< those of the molecule in its order, then placed hydrogens
   std::vector<std::uint32_t> carrier;  ///< of each, the molecule's atom: itself, or the one that carries the hydrogen
   double net_charge_e = 0.0;
+  bool file_charges = false;  ///< the charges are those of the file; no state and no ion is then noted
   std::size_t placed_hydrogens = 0;
   /// What was assumed or could not be assigned, untranslated parts for `info`: "HIS 69 A: HID". One entry per residue.
   struct Note {
     enum class Kind : std::uint8_t {
-      Histidine,  ///< `template_name` was chosen, by the nearest acceptor
+      Histidine,  ///< `template_name`: HID, HIE or HIP; where the file does not state it, by the nearest acceptor
+      SideChain,  ///< ASP, GLU and LYS, charged unless the file states ASH, GLH or LYN
+      Cysteine,   ///< CYX in a disulphide or CYM on a metal, by the bonds unless the file states it
       Ion,        ///< its formal charge: alkali metals 1, alkaline earths, zinc and cadmium 2, halides -1
-      Terminus,   ///< a charged end of a chain
+      Terminus,   ///< an end of a chain with the template of that end: NALA, CALA, DA5, A3
+      /// An end of a chain with the template of a residue inside a chain: no OXT, a nucleotide with a 5' phosphate.
+      InnerEnd,
       Ligand,  ///< GAFF's parameters and Gasteiger's charges, with the net charge `charge_e`; states as in valences.h
       NoTemplate,    ///< all atoms, or of a ligand those of an unknown element: parameters by element, charge 0
       OtherAtoms,    ///< atoms that the template does not have: by element, charge 0
@@ -43,6 +48,7 @@ struct PairAtoms {
     std::uint32_t residue = kNoResidue;
     std::string template_name;
     int charge_e = 0;
+    bool stated = false;            ///< the file's hydrogens or residue name determine the state
     double residue_charge_e = 0.0;  ///< of FractionalCharge: the sum of the residue's charges
   };
   std::vector<Note> notes;
