@@ -502,7 +502,7 @@ const moltactPlatform = (() => {
       this.unsent_key = "moltact/unsent/" + link.storage;
       this.had_key = "moltact/had/" + link.storage;  // the attempt that the platform had last
       this.silent = link.mode !== "normal";  // the platform only shows the lesson
-      this.keeps = !this.silent && !link.nameless;
+      this.keeps = !link.nameless;
       this.there = stateOf(link.there);
       let here = this.keeps && store.get(this.unsent_key) || "";
       // The platform had this attempt and has it no longer: the teacher deleted it, or began a new one.

@@ -145,9 +145,10 @@ async function scorm(version) {
   const real = await open({...shown, [words.mode]: "normal"}, stored);
   assert.notStrictEqual(d.link.storage, real.link.storage);
   assert.strictEqual(real.reporter.suspended, "");
-  const before = {...kept, [words.mode]: "Review"}, e = await open(before, stored);
+  const before = {...kept, [words.mode]: "Review"}, e = await open(before, stored, {lost: () => true});
   e.program.record = record(99, {done: 3, interactions: [task]});
   await e.reporter.step(false, 1000);
+  assert.deepStrictEqual(e.heard, []);  // nothing is lost where nothing is sent
   await e.reporter.step(true, 2000);
   assert.strictEqual(before["cmi.suspend_data"], kept["cmi.suspend_data"]);
   assert.notStrictEqual((await open({...kept}, stored)).reporter.suspended, suspended(kBegan, 99));
@@ -169,6 +170,7 @@ async function scormFaults(version) {
   assert.strictEqual(idle[words.status], "incomplete");
   assert.strictEqual(idle[words.exit], "suspend");
   assert.strictEqual((await open(idle)).link.complete, false);
+  a.program.record = record(4, {done: 1, interactions: [task]});
   await a.reporter.step(false, 2000);  // a look after the end calls nothing
   await a.reporter.step(true, 3000);
   assert.deepStrictEqual(a.lms.faults, []);
@@ -463,7 +465,8 @@ async function cmi5Faults() {
   // "completed", for the next session, which sends it as its own.
   const full = recordStore(), stored = new Storage(), b = await launched(full, stored);
   const many = Array.from({length: 60}, (_, k) => ({...free, id: `question_one_q${k}`, written: "ü".repeat(1200), t: k + 1}));
-  b.program.record = record(61, {done: 3, complete: true, score: 1, interactions: many});
+  const long = JSON.stringify([...JSON.parse(suspended(kBegan, 61)), "x".repeat(20000)]);
+  b.program.record = record(61, {done: 3, complete: true, score: 1, interactions: many, text: long});
   await b.reporter.step(true, 1000);
   await settled();
   const sent = full.statements.map(verb);
@@ -472,7 +475,7 @@ async function cmi5Faults() {
   const count = sent.length - 2;  // but initialized and terminated
   assert.ok(count > 10 && count < 60, String(count));
   assert.deepStrictEqual(full.statements.slice(1, -1).map((s) => s.object.id.split("_q")[1]), many.slice(0, count).map((_, k) => String(k)));
-  assert.deepStrictEqual(full.states.get(state_key), {suspended: suspended(kBegan, 61), completed: false, scores: {"": 1, goal_1: 1}});
+  assert.deepStrictEqual(full.states.get(state_key), {suspended: long, completed: false, scores: {"": 1, goal_1: 1}});
   full.session = "s2";
   full.late = true;  // the statements keep the time of their deed
   const c = await launched(full, stored);
@@ -483,6 +486,17 @@ async function cmi5Faults() {
   assert.strictEqual(full.states.get(state_key).completed, true);
   assert.strictEqual(stored.getItem(c.link.queue_key), null);
   assert.deepStrictEqual(full.faults, []);
+
+  // Suspended data that had to be shortened lower no score of their attempt; a new attempt does.
+  const short = recordStore();
+  short.states.set(state_key, {suspended: suspended(kBegan, 5), completed: false, scores: {"": 2 / 3, goal_1: 2 / 3}});
+  const h = await launched(short);
+  h.program.record = record(6, {done: 1, score: 1 / 3});
+  await h.reporter.step(false, 1000);
+  assert.ok(!short.statements.map(verb).includes("scored"));
+  h.program.record = record(1, {began: "2026-11-25T08:00:00Z", done: 1, score: 0});
+  await h.reporter.step(false, 3000);
+  assert.deepStrictEqual(short.statements.filter((s) => verb(s) === "scored").map((s) => s.result.score.scaled), [0, 0]);
 
   // A close while a request is under way: its statements are not sent a second time, which would refuse "terminated" too.
   const slow = recordStore(), d = await launched(slow);
