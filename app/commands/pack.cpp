@@ -127,8 +127,7 @@ void addPack(CLI::App& app) {
               [](const std::string& edition) {
                 return edition.empty() || edition == "1.2" || edition == "2004"
                            ? std::string()
-                           : "'" + edition + "' is no edition of SCORM: write --scorm 1.2 or --scorm 2004, " +
-                                 "or the lesson before --scorm";
+                           : "'" + edition + "' is no edition of SCORM: write --scorm 1.2 or --scorm 2004";
               },
               ""))
           ->excludes(html);
