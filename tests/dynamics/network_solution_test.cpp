@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct KeptFolder {
-  fs::path path = fs::temp_directory_path() / "moltact-network-solution";
+  fs::path path = fs::temp_directory_path() / ("moltact-network-solution-" + std::to_string(::getpid()));
   KeptFolder() { fs::remove_all(path); }
   ~KeptFolder() { fs::remove_all(path); }
 };
