@@ -1,6 +1,8 @@
 // Modes and compliances that are kept on disk. Oracle: the computed ones, to the last bit.
 #include "engine/dynamics/network_solution.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
