@@ -294,10 +294,9 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "scan",
        .type = ValueType::Text,
        .meaning =
-           "The radius of a tip, at most 20 Å, that scans the molecule line by line from the viewer's side, like an "
-           "atomic force microscope. A force as in '10 Å, 100 pN' keeps it constant. '0 Å' ends the scan. The height "
-           "picture grows in the view. The scanned surface can then be touched instead of the atoms, but touching "
-           "it does not count for tasks.",
+           "A tip of this radius, at most 20 Å, scans the molecule like an atomic force microscope; '10 Å, 100 pN' keeps "
+           "the force constant, '0 Å' ends the scan. The scanned surface, a height picture in the view, can then be "
+           "touched instead of the atoms, but not for tasks.",
        .fallback = "0 Å"},
       {.name = "simulation",
        .type = ValueType::Text,
