@@ -61,11 +61,8 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMo
                                                                   std::span<const Sphere> to, int ticks) {
   auto spheres = movingBetween(before.at(1.0), to);
   if (!spheres) return spheres.problem();
-  // What was gone in the motion before may be felt again.
-  std::vector<std::uint32_t> untouchable;
-  for (const std::uint32_t i : before.bounds_.untouchable())
-    if (!gone(before.spheres_[i])) untouchable.push_back(i);
-  return make(*std::move(spheres), ticks, untouchable, &before);
+  // What was gone in the motion before may be felt again, unless the scene makes it untouchable.
+  return make(*std::move(spheres), ticks, before.untouchable_, &before);
 }
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Sphere> from,
@@ -99,6 +96,7 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::vector<Mov
   }
   const std::vector<std::uint32_t> not_felt = unfelt(spheres, untouchable);
   std::unique_ptr<SphereMotion> made(new SphereMotion(std::move(spheres), std::move(bounds), not_felt, ticks, max_A));
+  made->untouchable_.assign(untouchable.begin(), untouchable.end());
   // Lists of near spheres outlast a motion only if the same ones are felt.
   if (before && not_felt == before->bounds_.untouchable()) made->continues_ = before->serial_;
   return std::unique_ptr<const SphereMotion>(std::move(made));

@@ -61,7 +61,9 @@ class SphereMotion {
 
   /// The bounding sphere of each sphere's motion, by the same indices.
   const SphereGrid& sweptSpheres() const { return bounds_; }
-  std::size_t bytes() const { return spheres_.capacity() * sizeof(Moving) + bounds_.bytes(); }
+  std::size_t bytes() const {
+    return spheres_.capacity() * sizeof(Moving) + bounds_.bytes() + untouchable_.capacity() * sizeof(std::uint32_t);
+  }
 
  private:
   SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> bounds, std::span<const std::uint32_t> untouchable,
@@ -69,6 +71,7 @@ class SphereMotion {
 
   std::vector<Moving> spheres_;
   SphereGrid bounds_;
+  std::vector<std::uint32_t> untouchable_;  // of the scene; bounds_ has also those that are gone
   int ticks_;
   double max_motion_;
   std::uint64_t serial_, continues_ = 0;  // of this motion and of its predecessor; 0: none

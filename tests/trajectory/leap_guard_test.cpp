@@ -121,10 +121,12 @@ TEST_CASE("a hand that rests on an ion which leaps away sinks to where it is: it
   CHECK(played.greatest_A <= rests_A + 1e-9);
 }
 
-TEST_CASE("a sphere that is gone is not felt in its motion only: what comes after feels it again, untouchable or not") {
+TEST_CASE(
+    "a sphere that is gone is not felt in its motion only: what comes after feels it again, but not an untouchable "
+    "one") {
   const std::vector<Sphere> here{{Vec3(0.0), 1.7}, {Vec3(6, 0, 0), 1.7}, {Vec3(12, 0, 0), 1.7}};
   std::vector<Sphere> away = here;
-  away[0].radius_A = 0.0;
+  away[0].radius_A = away[2].radius_A = 0.0;
   const std::vector<std::uint32_t> untouchable{2};
   auto shrinks = SphereMotion::make(here, away, 10, untouchable);
   REQUIRE(shrinks);

@@ -38,7 +38,7 @@ const record = {began: "2026-11-21T10:58:14Z", t: 8.5, step: "two", place: "two/
         return result;
       };
     }});
-    const page = vm.runInNewContext(source + ";moltactPlatform", {console, TextEncoder, URL, URLSearchParams, setInterval() {}});
+    const page = vm.runInNewContext(source + ";moltactPlatform", {console, crypto, TextEncoder, URL, URLSearchParams, setInterval() {}});
     const window = {[api_name]: seen, location: {pathname: "/a/index.html", search: ""}, document: {}};
     window.parent = window.top = window;
     const link = await page.find(version, "urn:uuid:1", window);

@@ -133,7 +133,12 @@ void ElasticMolecule::take(Expected<ElasticModel> made) {
   }
   if (!model_) model_ = std::make_shared<const ElasticModel>(*std::move(made));
   motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);
+  const bool chosen = !felt_.empty();
   while (!felt_.empty() && felt_.back() >= model_->modes->count()) felt_.pop_back();
+  if (chosen && felt_.empty())
+    messages_.warning(
+        trf("The molecule has {0} motions, and none of those that the scene names. It gives way in every way.",
+            model_->modes->count()));
   restrict();
   impulses_N_s_.assign(model_->network->nodes().size(), Vec3(0.0));
   ticks_ = 0;

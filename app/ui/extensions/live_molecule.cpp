@@ -54,6 +54,7 @@ Expected<LiveMolecule::Opened> LiveMolecule::openAddress(const SimulationAddress
 }
 
 void LiveMolecule::forget() {
+  drawn_ = 0;
   if (simulation_) {
     scene_.servo().loop().wantImpulses(false);
     scene_.pull().hold({});
@@ -385,11 +386,10 @@ void LiveMolecule::drawNewest() {
   if (newest.serial == drawn_ || newest.lost || newest.silent || newest.starts != frame_.starts ||
       newest.positions_A.size() != smooth_A_.size())
     return;
-  drawn_ = newest.serial;
   std::vector<Sphere> at = scene_.atoms().resting().spheres->spheres().copy();
   for (std::size_t i = 0; i < std::min(at.size(), newest.positions_A.size()); ++i)
     at[i].centre_A = newest.positions_A[i];
-  scene_.atoms().show(std::move(at));
+  if (scene_.atoms().show(std::move(at))) drawn_ = newest.serial;
 }
 
 void LiveMolecule::readFrame(double dt_s) {

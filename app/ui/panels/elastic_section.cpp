@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ namespace {
 // The number of the softest modes that are listed.
 constexpr std::size_t kListed = 6;
 
-void drawModes(ElasticMolecule& elastic) {
+void drawModes(Application& app, ElasticMolecule& elastic) {
   const ElasticModel& model = *elastic.model();
   ImGui::Spacing();
   sectionTitle(tr("Its softest motions"));
@@ -35,6 +36,7 @@ void drawModes(ElasticMolecule& elastic) {
   const std::vector<std::size_t>& felt = elastic.feltModes();
   const std::size_t listed = std::min(std::max(kListed, felt.empty() ? 0 : felt.back() + 1), model.modes->count());
   std::vector<std::string> numbers;
+  std::optional<WhileLocked> locked(std::in_place, app, "elastic");
   for (std::size_t k = 0; k < listed; ++k) {
     numbers.push_back(std::to_string(k + 1));
     // A mode has unit length over all nodes.
@@ -45,6 +47,7 @@ void drawModes(ElasticMolecule& elastic) {
                tr("The molecule gives way along the motions that are switched on; with none, in every way.")))
       elastic.feelMode(k, on);
   }
+  locked.reset();
   drawWrapped("mode/felt", elastic.feltModes().empty()
                                ? tr("The molecule gives way in every way.")
                                : tr("The molecule gives way along the motions that are switched on, and no other."));
@@ -94,7 +97,7 @@ bool drawElasticMoleculeSection(Application& app) {
               elastic.model()->spring_assumed
                   ? trf("Each spring: {0} kcal/mol/Å², assumed, because the file has no B factors.", spring)
                   : trf("Each spring: {0} kcal/mol/Å², which gives the mean B factor of the file.", spring));
-  drawModes(elastic);
+  drawModes(app, elastic);
   return true;
 }
 

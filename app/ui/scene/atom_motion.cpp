@@ -32,11 +32,12 @@ void AtomMotion::place(SharedArray<Sphere> at) {
   seen_motion_ = 0;
 }
 
-void AtomMotion::show(const SharedArray<Sphere>& at) {
-  if (!model_.molecule || at.size() != model_.spheres->size()) return;
-  if (frames_since_drawn_ < (last_frame_s_ > kQuickFrame_s ? 2 : 1)) return;
+bool AtomMotion::show(const SharedArray<Sphere>& at) {
+  if (!model_.molecule || at.size() != model_.spheres->size()) return false;
+  if (frames_since_drawn_ < (last_frame_s_ > kQuickFrame_s ? 2 : 1)) return false;
   drawn_ = std::make_shared<const Molecule>(model_.molecule->movedTo(at));
   frames_since_drawn_ = 0;
+  return true;
 }
 
 void AtomMotion::follow(double dt_s) {

@@ -25,9 +25,9 @@ class AtomMotion {
 
   /// The molecule as the picture shows it: seen(), or what the owner has shown since.
   const std::shared_ptr<const Molecule>& drawn() const { return drawn_ ? drawn_ : seen(); }
-  /// Draws the atoms at these positions (one sphere for each) until others are seen; the felt ones follow by move(). Does
-  /// nothing in every second frame where frames take longer than kQuickFrame_s.
-  void show(const SharedArray<Sphere>& at);
+  /// Draws the atoms at these positions (one sphere for each) until others are seen; the felt ones follow by move().
+  /// Returns false and does nothing in every second frame where frames take longer than kQuickFrame_s.
+  bool show(const SharedArray<Sphere>& at);
 
   /// Decides which source moves the atoms.
   MotionOwner owner;
