@@ -294,7 +294,8 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "scan",
        .type = ValueType::Text,
        .meaning =
-           "A tip of this radius, at most 20 Å, scans the molecule like an atomic force microscope; '10 Å, 100 pN' keeps "
+           "A tip of this radius, at most 20 Å, scans the molecule like an atomic force microscope; '10 Å, 100 pN' "
+           "keeps "
            "the force constant, '0 Å' ends the scan. The scanned surface, a height picture in the view, can then be "
            "touched instead of the atoms, but not for tasks.",
        .fallback = "0 Å"},
