@@ -384,7 +384,9 @@
       console.warn("the learning platform: " + error);
       platform.news = kPlatformFailed;
     }
-    if (platform.link) keeper.last = "moltact/last/" + (keeper.name = platform.link.storage);
+    // Where the platform failed, the learner is unknown: a storage apart from the own work of the page's address.
+    const name = platform.link ? platform.link.storage : platform.news === kPlatformFailed ? "moltact/failed" : null;
+    if (name) keeper.last = "moltact/last/" + (keeper.name = name);
   }
 
   function openInPlatform(file) {

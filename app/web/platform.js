@@ -23,11 +23,21 @@ const moltactPlatform = (() => {
     return b.began === a.began ? (b.t > a.t ? here : there) : (b.began > a.began ? here : there);
   }
 
-  const store = {
-    get(key) { try { return localStorage.getItem(key); } catch { return null; } },
-    set(key, text) { try { localStorage.setItem(key, text); return true; } catch { return false; } },
-    drop(key) { try { localStorage.removeItem(key); } catch { /* there is none */ } },
-  };
+  // What the browser keeps; nothing where it blocks storage in frames of another site.
+  const guarded = (storage) => ({
+    get(key) { try { return storage().getItem(key); } catch { return null; } },
+    set(key, text) { try { storage().setItem(key, text); return true; } catch { return false; } },
+    drop(key) { try { storage().removeItem(key); } catch { /* there is none */ } },
+  });
+  const store = guarded(() => localStorage), session = guarded(() => sessionStorage);
+
+  function randomId() {
+    const b = crypto.getRandomValues(new Uint8Array(16));
+    b[6] = (b[6] & 0x0f) | 0x40;
+    b[8] = (b[8] & 0x3f) | 0x80;
+    const hex = [...b].map((v) => v.toString(16).padStart(2, "0")).join("");
+    return hex.replace(/^(.{8})(.{4})(.{4})(.{4})/, "$1-$2-$3-$4-");
+  }
 
   // "misconception_sees-holes" in printable ASCII, as interactionId() of engine/results/learning_record.h escapes.
   function misconceptionId(words) {
@@ -40,6 +50,8 @@ const moltactPlatform = (() => {
   const cut = (text, most) => [...text].length <= most ? text : [...text].slice(0, most - 1).join("") + "…";
   const iso = (s) => "PT" + (Math.round(Math.max(0, s) * 100) / 100) + "S";
   const marked = (i) => i.judged === "marked";
+  // The name of the browser's storage: what somebody does in a review is not the learner's own work.
+  const storageOf = (name, mode) => mode === "normal" ? name : name + " " + mode;
 
   // ---- SCORM -----------------------------------------------------------------------------------------------------------
 
@@ -58,8 +70,9 @@ const moltactPlatform = (() => {
   const kScorm = {
     "1.2": {
       api: "API", functions: {initialize: "LMSInitialize", get: "LMSGetValue", set: "LMSSetValue", commit: "LMSCommit",
-                              terminate: "LMSFinish"},
+                              terminate: "LMSFinish", error: "LMSGetLastError"},
       limit: 4096, learner: "cmi.core.student_id", mode: "cmi.core.lesson_mode", status: "cmi.core.lesson_status",
+      exit: "cmi.core.exit", raw: "cmi.core.score.raw", goal_status: "status", takes_none: ["201", "401", "402"],
       time(s) {
         const whole = Math.floor(s), two = (n) => String(n).padStart(2, "0");
         return String(Math.floor(whole / 3600)).padStart(4, "0") + ":" + two(Math.floor(whole / 60) % 60) + ":" +
@@ -68,8 +81,9 @@ const moltactPlatform = (() => {
     },
     "2004": {
       api: "API_1484_11", functions: {initialize: "Initialize", get: "GetValue", set: "SetValue", commit: "Commit",
-                                      terminate: "Terminate"},
+                                      terminate: "Terminate", error: "GetLastError"},
       limit: 64000, learner: "cmi.learner_id", mode: "cmi.mode", status: "cmi.completion_status",
+      exit: "cmi.exit", raw: "cmi.score.raw", goal_status: "completion_status", takes_none: ["401"],
       time: iso,
     },
   };
@@ -81,23 +95,40 @@ const moltactPlatform = (() => {
       this.api = api;
       this.limit = this.words.limit;
       this.ended = false;
-      this.best = null;  // the best score sent after completion
-      this.takes_interactions = true;
       if (!this.call("initialize", "")) throw new Error("the platform refuses to begin");
       const learner = this.get(this.words.learner), folder = window.location.pathname.replace(/[^/]*$/, "");
-      this.storage = `moltact ${folder} ${learner}`;
-      this.mode = this.get(this.words.mode) || "normal";
+      this.mode = (this.get(this.words.mode) || "normal").toLowerCase();
+      // A learner without a name: what this browser keeps might be another's.
+      this.nameless = !learner;
+      this.storage = storageOf(`moltact ${folder} ${learner || randomId()}`, this.mode);
       this.complete = ["completed", "passed"].includes(this.get(this.words.status));
-      const raw = this.get(version === "1.2" ? "cmi.core.score.raw" : "cmi.score.raw");
-      if (this.complete && raw !== "" && Number.isFinite(Number(raw))) this.best = Number(raw) / 100;
+      this.score = this.share(this.words.raw);  // what the platform has
       this.there = this.get("cmi.suspend_data");
-      this.interactions = Number(this.get("cmi.interactions._count")) || 0;
+      this.began = stateOf(this.there)?.began ?? null;
+      const count = this.get("cmi.interactions._count");
+      this.counts_interactions = count !== "";
+      this.interactions = Number(count) || 0;
+      this.pending = [];  // interactions that the platform has not taken
+      this.takes_interactions = true;
+      this.taken = this.refused = 0;
       this.objectives = new Map();
       const known = Number(this.get("cmi.objectives._count")) || 0;
-      for (let n = 0; n < known; ++n) this.objectives.set(this.get(`cmi.objectives.${n}.id`), n);
+      for (let n = 0; n < known; ++n) {
+        const at = `cmi.objectives.${n}`, done = this.get(`${at}.${this.words.goal_status}`) === "completed";
+        this.objectives.set(this.get(at + ".id"), {n, done, score: this.share(at + ".score.raw")});
+      }
       this.known_objectives = known;
+      // A page that is closed before the first deed is not "completed", as SCORM 1.2 lets a platform conclude.
+      if (this.mode === "normal") {
+        if (!this.complete) this.set(this.words.status, "incomplete");
+        this.set(this.words.exit, "suspend");
+      }
     }
 
+    share(element) {
+      const raw = this.get(element);
+      return raw !== "" && Number.isFinite(Number(raw)) ? Number(raw) / 100 : null;
+    }
     call(what, ...values) {
       const result = this.api[this.words.functions[what]](...values);
       return result === true || String(result).toLowerCase() === "true";
@@ -109,28 +140,47 @@ const moltactPlatform = (() => {
 
     write(record, fresh, session_s) {
       if (this.mode !== "normal") return;
+      this.pending.push(...fresh);
+      // A later attempt does not lower the score of a finished lesson, nor do suspended data that had to be shortened.
+      const keeps = this.complete || record.began === this.began;
+      const score = record.score === null ? null : keeps ? Math.max(this.score ?? 0, record.score) : record.score;
       this.complete ||= record.complete;
       const done = this.complete ? "completed" : "incomplete", percent = (share) => Math.round(share * 10000) / 100;
-      // A later attempt does not lower the score of a finished lesson.
-      const score = record.score === null ? null : this.best === null ? record.score : Math.max(this.best, record.score);
-      if (record.complete && score !== null) this.best = score;
+      if (this.complete && score !== null) this.score = score;
+      let taken;
       if (this.old) {
-        this.set("cmi.core.lesson_location", cut(record.place, 255));
+        taken = this.set("cmi.core.lesson_location", cut(record.place, 255));
         this.set("cmi.core.lesson_status", done);
         if (score !== null) this.setScore("cmi.core.score", score, percent);
         this.set("cmi.core.session_time", this.words.time(session_s));
-        this.set("cmi.core.exit", "suspend");
       } else {
-        this.set("cmi.location", cut(record.place, 1000));
+        taken = this.set("cmi.location", cut(record.place, 1000));
         this.set("cmi.completion_status", done);
         this.set("cmi.progress_measure", this.complete ? 1 : record.of ? Math.min(1, record.done / record.of) : 0);
         if (score !== null) this.setScore("cmi.score", score, percent);
         this.set("cmi.session_time", this.words.time(session_s));
-        this.set("cmi.exit", "suspend");
       }
-      this.set("cmi.suspend_data", record.suspended);
-      for (const goal of record.objectives) this.writeObjective(goal, percent);
-      for (const interaction of fresh) this.writeInteraction(interaction);
+      this.set(this.words.exit, "suspend");
+      for (const goal of record.objectives) this.writeObjective(goal, keeps, percent);
+      this.writePending(taken);
+      // Interactions that are still missing are sent at the next visit, because the platform's state is then behind them.
+      if (!this.pending.length) this.set("cmi.suspend_data", record.suspended);
+    }
+
+    // `answers`: the platform took another value just now, so it is not the connection that refuses.
+    writePending(answers) {
+      while (this.pending.length && this.takes_interactions && this.writeInteraction(this.pending[0])) {
+        this.pending.shift();
+        ++this.taken;
+        this.refused = 0;
+      }
+      if (this.pending.length && this.takes_interactions && answers && ++this.refused >= 3) {
+        console.warn("the learning platform refuses the interaction " + this.pending[0].id);
+        this.refused = 0;
+        if (this.taken) this.pending.shift();
+        else this.takes_interactions = false;
+      }
+      if (!this.takes_interactions) this.pending = [];
     }
 
     setScore(element, share, percent) {
@@ -140,37 +190,45 @@ const moltactPlatform = (() => {
       this.set(element + ".raw", percent(share));
     }
 
-    writeObjective(goal, percent) {
-      let n = this.objectives.get(goal.id);
-      if (n === undefined) {
+    writeObjective(goal, keeps, percent) {
+      let known = this.objectives.get(goal.id);
+      if (!known) {
         if (!this.set(`cmi.objectives.${this.known_objectives}.id`, goal.id)) return;
-        this.objectives.set(goal.id, n = this.known_objectives++);
+        this.objectives.set(goal.id, known = {n: this.known_objectives++, done: false, score: null});
       }
-      const at = `cmi.objectives.${n}`, done = goal.of > 0 && goal.done >= goal.of;
-      const status = done ? "completed" : goal.done ? "incomplete" : "not attempted";
-      if (goal.score !== null) this.setScore(at + ".score", goal.score, percent);
-      this.set(at + (this.old ? ".status" : ".completion_status"), status);
+      keeps ||= known.done;
+      known.done ||= goal.of > 0 && goal.done >= goal.of;
+      const at = `cmi.objectives.${known.n}`, status = known.done ? "completed" : goal.done ? "incomplete" : "not attempted";
+      if (goal.score !== null) {
+        known.score = keeps ? Math.max(known.score ?? 0, goal.score) : goal.score;
+        this.setScore(at + ".score", known.score, percent);
+      }
+      this.set(`${at}.${this.words.goal_status}`, status);
       if (this.old) return;
-      if (goal.of) this.set(at + ".progress_measure", Math.min(1, goal.done / goal.of));
+      if (goal.of) this.set(at + ".progress_measure", known.done ? 1 : Math.min(1, goal.done / goal.of));
       this.set(at + ".description", cut(goal.text, 250));
     }
 
+    // False if the platform does not take it now. Interactions are an option of SCORM 1.2.
     writeInteraction(i) {
-      if (!this.takes_interactions) return;
       const at = `cmi.interactions.${this.interactions}`;
-      if (!this.set(at + ".id", i.id)) { this.takes_interactions = false; return; }  // an option of SCORM 1.2
-      ++this.interactions;
+      if (!this.set(at + ".id", i.id)) {
+        const error = String(this.api[this.words.functions.error]?.() ?? "");
+        if (!this.counts_interactions || this.words.takes_none.includes(error)) this.takes_interactions = false;
+        return false;
+      }
       const {old} = this, letters = (list) => list.map((k) => "abcdefghijklmnopqrstuvwxyz"[k] ?? "0").join(",");
       const names = (list) => list.map((k) => `choice_${k + 1}`).join("[,]");
       const type = i.kind === "task" ? "performance" : i.kind === "choice" ? "choice"
                    : i.judged === "free" && !old ? "long-fill-in" : "fill-in";
       this.set(at + ".type", type);
-      [...i.goals.map((g) => `goal_${g + 1}`), ...i.misconceptions.map(misconceptionId)].forEach(
+      [...new Set([...i.goals.map((g) => `goal_${g + 1}`), ...i.misconceptions.map(misconceptionId)])].forEach(
         (id, m) => this.set(`${at}.objectives.${m}.id`, id));
       const when = new Date(i.at), valid = !Number.isNaN(when.getTime());
       if (valid && old) this.set(at + ".time", when.toTimeString().slice(0, 8));
       if (valid && !old) this.set(at + ".timestamp", i.at.replace(/Z$/, ".00Z"));  // a zone stands behind a fraction only
-      if (i.kind === "choice" && i.right_choices.length && marked(i))
+      // Not with a wrong answer: a platform may show it to the student, who tries again.
+      if (i.kind === "choice" && i.right && i.right_choices.length && marked(i))
         this.set(at + ".correct_responses.0.pattern", (old ? letters : names)(i.right_choices));
       const plain = (text, most) => cut(text.replace(/\[([,:.])\]/g, "[ $1]"), most);
       const response = i.kind === "choice" ? (old ? letters : names)(i.chosen)
@@ -183,19 +241,24 @@ const moltactPlatform = (() => {
         const named = i.misconceptions.length ? ` — misconception: ${i.misconceptions.join("; ")}` : "";
         this.set(at + ".description", cut(i.text, Math.max(40, 250 - named.length)) + cut(named, 200));
       }
+      ++this.interactions;
+      return true;
     }
 
-    async commit() { return this.ended || this.call("commit", ""); }
+    async commit() { return this.call("commit", "") && !this.pending.length; }
 
     // The page closes. Synchronous, as SCORM is. A finished lesson is suspended too: after another exit a platform may
-    // drop its data and its completion at the next visit.
+    // drop its data and its completion at the next visit. Returns whether the platform has everything.
     end() {
-      if (this.ended) return;
+      if (this.ended) return false;
       this.ended = true;
       try {
-        this.call("commit", "");
-        this.call("terminate", "");
-      } catch (error) { console.warn("the learning platform: " + error); }
+        const committed = this.call("commit", ""), terminated = this.call("terminate", "");
+        return committed && terminated && !this.pending.length;
+      } catch (error) {
+        console.warn("the learning platform: " + error);
+        return false;
+      }
     }
   }
 
@@ -207,13 +270,9 @@ const moltactPlatform = (() => {
   const kAttempt = "urn:uuid:5d1c4f0e-6a8b-8c3e-9f27-0b7a51e4c629#attempt";
   const kStateId = "moltact";
 
-  function randomId() {
-    const b = crypto.getRandomValues(new Uint8Array(16));
-    b[6] = (b[6] & 0x0f) | 0x40;
-    b[8] = (b[8] & 0x3f) | 0x80;
-    const hex = [...b].map((v) => v.toString(16).padStart(2, "0")).join("");
-    return hex.replace(/^(.{8})(.{4})(.{4})(.{4})/, "$1-$2-$3-$4-");
-  }
+  const isCompleted = (statement) => statement.verb.id === kAdl + "completed";
+  const bytes = (value) => new TextEncoder().encode(JSON.stringify(value)).length;
+  const kClosing_bytes = 60000;  // all requests of a closing page together have 64 KiB
 
   class Cmi5 {
     constructor(query, lesson) {
@@ -225,11 +284,11 @@ const moltactPlatform = (() => {
       this.storage = `moltact cmi5 ${this.registration} ${this.activity}`;
       this.queue_key = `moltact/queue/${this.storage}`;
       this.limit = 64000;
-      this.queue = JSON.parse(store.get(this.queue_key) || "[]");
+      this.queue = [];
+      this.flying = 0;  // statements at the queue's front in a request under way
       this.begun_ms = Date.now();
       this.complete = this.ended = false;
       this.sent_progress = -1;
-      this.sent_scores = new Map();
     }
 
     async ask(method, path, parameters, body, more = {}) {
@@ -245,27 +304,49 @@ const moltactPlatform = (() => {
     }
 
     async begin(fetch_url) {
+      // A session ends once: a page that is loaded again after its end begins again from the platform.
+      this.over_key = "moltact/over/" + fetch_url;
+      if (session.get(this.over_key)) throw new Error("this session is over");
       // The address gives its token once; a page that is loaded again takes the one it was given.
-      const kept = "moltact/token/" + fetch_url;
-      let token = sessionStorage.getItem(kept);
+      const kept = "moltact/token/" + fetch_url, begun = "moltact/begun/" + fetch_url;
+      let token = session.get(kept);
       if (!token) {
-        const reply = await (await fetch(fetch_url, {method: "POST"})).json();
+        const reply = await (await fetch(fetch_url, {method: "POST", signal: AbortSignal.timeout(kWait_ms)})).json();
         token = reply["auth-token"];
         if (!token) throw new Error("no token: " + (reply["error-text"] || "the platform gives none"));
-        sessionStorage.setItem(kept, token);
+        session.set(kept, token);
       }
       this.authorization = "Basic " + token;
       const launch = await this.ask("GET", "activities/state", this.state("LMS.LaunchData"));
       if (!launch.ok) throw new Error("LMS.LaunchData: " + launch.status);
       this.launch = await launch.json();
-      this.mode = this.launch.launchMode || "Normal";
+      this.mode = (this.launch.launchMode || "Normal").toLowerCase();
+      this.storage = storageOf(this.storage, this.mode);
       await this.ask("GET", "agents/profile", {agent: JSON.stringify(this.actor), profileId: "cmi5LearnerPreferences"});
-      const initialized = await this.ask("POST", "statements", {}, [this.defined("initialized", {})]);
-      if (!initialized.ok) throw new Error("initialized: " + initialized.status);
       const state = await this.ask("GET", "activities/state", this.state(kStateId));
+      if (!state.ok && state.status !== 404) throw new Error("state: " + state.status);
       const kept_state = state.ok ? await state.json() : {};
       this.there = String(kept_state.suspended || "");
-      this.complete = kept_state.completed === true;
+      this.began = stateOf(this.there)?.began ?? null;
+      this.sent_scores = new Map(Object.entries(kept_state.scores || {}));
+      this.had_scores = new Map(this.sent_scores);
+      // Statements of an earlier session are sent in this one.
+      if (this.mode === "normal") this.queue = this.waiting();
+      this.complete = kept_state.completed === true || this.queue.some(isCompleted);
+      this.initialized = session.get(begun);
+      if (this.initialized) return;
+      const first = this.defined("initialized", {}), reply = await this.ask("POST", "statements", {}, [first]);
+      if (!reply.ok) throw new Error("initialized: " + reply.status);
+      this.initialized = first.timestamp;
+      session.set(begun, first.timestamp);
+    }
+
+    waiting() {
+      let kept = [];
+      try { kept = JSON.parse(store.get(this.queue_key) || "[]"); } catch { /* damaged */ }
+      const {extensions} = this.launch.contextTemplate || {};
+      return (Array.isArray(kept) ? kept : []).filter((one) => one?.verb && one.context).map(
+        (one) => ({...one, context: {...one.context, extensions: {...one.context.extensions, ...extensions}}}));
     }
 
     // A statement in the context that the platform prescribes.
@@ -290,16 +371,19 @@ const moltactPlatform = (() => {
 
     write(record, fresh, session_s) {
       this.session_s = session_s;
-      if (this.mode !== "Normal") return;
+      if (this.mode !== "normal") return;
       for (const i of fresh) this.add(this.answered(i));
       const scores = [{id: "", text: "", score: record.score}, ...record.objectives];
       for (const {id, text, score} of scores) {
-        if (score === null || this.sent_scores.get(id) === score || (!this.sent_scores.has(id) && score === 0)) continue;
+        const sent = this.sent_scores.get(id) ?? 0;
+        if (score === null || score === sent || (this.complete && score < sent)) continue;
+        // Suspended data that had to be shortened do not lower a score.
+        if (record.began === this.began && score < (this.had_scores.get(id) ?? 0)) continue;
         this.sent_scores.set(id, score);
         this.add(this.scored(id, text, score));
       }
       const progress = record.of ? Math.floor(100 * record.done / record.of) : 0;
-      if (progress !== this.sent_progress && progress > 0 && progress < 100)
+      if (!this.complete && progress !== this.sent_progress && progress > 0 && progress < 100)
         this.add(this.statement("progressed", {objectType: "Activity", id: this.activity}, {extensions: {[kProgress]: progress}}));
       this.sent_progress = progress;
       if (record.complete && !this.complete) {
@@ -315,6 +399,9 @@ const moltactPlatform = (() => {
 
     part(id) { return `${this.lesson}#${id}`; }
 
+    // A time within this session.
+    within(at) { return Date.parse(at) >= Date.parse(this.initialized) ? at : this.initialized; }
+
     answered(i) {
       const choice = i.kind === "choice";
       const definition = {type: kTypes + "cmi.interaction", name: {und: cut(i.text || i.id, 400)},
@@ -322,7 +409,7 @@ const moltactPlatform = (() => {
                                            : i.judged === "free" ? "long-fill-in" : "fill-in"};
       if (choice) {
         definition.choices = i.choices.map((text, k) => ({id: `choice_${k + 1}`, description: {und: text}}));
-        if (marked(i)) definition.correctResponsesPattern = [i.right_choices.map((k) => `choice_${k + 1}`).join("[,]")];
+        if (marked(i) && i.right) definition.correctResponsesPattern = [i.right_choices.map((k) => `choice_${k + 1}`).join("[,]")];
       }
       const result = {duration: iso(i.latency_s),
                       response: choice ? i.chosen.map((k) => `choice_${k + 1}`).join("[,]")
@@ -332,7 +419,7 @@ const moltactPlatform = (() => {
       if (i.misconceptions.length) result.extensions[kMisconceptions] = i.misconceptions;
       const parent = [{id: this.activity}], other = i.goals.map((g) => ({id: this.part(`goal_${g + 1}`)}));
       return this.statement("answered", {objectType: "Activity", id: this.part(i.id), definition}, result,
-                            {at: i.at || undefined, activities: other.length ? {parent, other} : {parent}});
+                            {at: this.within(i.at), activities: other.length ? {parent, other} : {parent}});
     }
 
     scored(id, text, score) {
@@ -349,36 +436,58 @@ const moltactPlatform = (() => {
     }
     keep() { if (this.queue.length) store.set(this.queue_key, JSON.stringify(this.queue)); else store.drop(this.queue_key); }
 
+    // True if the store has the statements, or refuses them for good.
+    async send(statements) {
+      const reply = await this.ask("POST", "statements", {}, statements);
+      if (reply.ok) return true;
+      if (![400, 409, 413].includes(reply.status)) return false;
+      if (statements.length === 1) {  // 409: the store has it, because only its answer was lost
+        if (reply.status !== 409) console.warn(`the record store refuses ${statements[0].verb.id}: ${reply.status}`);
+        return true;
+      }
+      for (const one of statements) if (!await this.send([one])) return false;
+      return true;
+    }
+
     async commit() {
-      if (this.ended || this.mode !== "Normal") return true;
-      while (this.queue.length) {
+      if (this.mode !== "normal") return true;
+      while (this.queue.length && !this.ended) {
         const batch = this.queue.slice(0, 50);
-        const reply = await this.ask("POST", "statements", {}, batch);
-        // 409: the store has a statement with this id, because only its answer was lost. Each is then sent alone.
-        if (reply.status === 409 && batch.length > 1) {
-          for (const one of batch) {
-            const alone = await this.ask("POST", "statements", {}, [one]);
-            if (!alone.ok && alone.status !== 409) return false;
-          }
-        } else if (!reply.ok && reply.status !== 409) return false;
+        this.flying = batch.length;
+        const sent = await this.send(batch).finally(() => { if (!this.ended) this.flying = 0; });
+        if (!sent || this.ended) return false;
         this.queue.splice(0, batch.length);
         this.keep();
       }
-      const body = {suspended: this.suspended, completed: this.complete};
-      return (await this.ask("PUT", "activities/state", this.state(kStateId), body)).ok;
+      return !this.ended && (await this.ask("PUT", "activities/state", this.state(kStateId), this.body([]))).ok;
+    }
+    // `left`: statements that are not sent yet. The lesson is finished for other browsers when that statement is sent.
+    body(left) {
+      return {suspended: this.suspended, completed: this.complete && !left.some(isCompleted),
+              scores: Object.fromEntries(this.sent_scores)};
     }
 
-    // The page closes: requests that the browser finishes afterwards, up to 64 kB.
+    // The page closes: requests that the browser finishes afterwards. The state first, then the oldest statements; what
+    // does not fit, and what a request under way has, waits in this browser. Returns false: no answer arrives.
     end() {
-      if (this.ended) return;
+      if (this.ended) return false;
       this.ended = true;
+      session.set(this.over_key, "1");
       const last = this.defined("terminated", {duration: iso((Date.now() - this.begun_ms) / 1000)});
+      let room = kClosing_bytes - bytes([last]);
+      const state_bytes = bytes(this.body([])) + 1;  // + 1: "false" is longer than "true"
+      const tell = this.mode === "normal" && this.suspended && state_bytes <= room;
+      if (tell) room -= state_bytes;
+      let upto = this.flying;
+      for (; upto < this.queue.length; ++upto) {
+        room -= bytes(this.queue[upto]) + 1;
+        if (room < 0) break;
+      }
+      const left = [...this.queue.slice(0, this.flying), ...this.queue.slice(upto)];
       const quietly = (request) => request.catch((error) => console.warn("the learning platform: " + error));
-      if (this.mode === "Normal" && this.suspended)
-        quietly(this.ask("PUT", "activities/state", this.state(kStateId), {suspended: this.suspended, completed: this.complete},
-                         {keepalive: true}));
-      const all = [...this.queue.slice(-40), last];
-      quietly(this.ask("POST", "statements", {}, JSON.stringify(all).length < 50000 ? all : [last], {keepalive: true}));
+      quietly(this.ask("POST", "statements", {}, [...this.queue.slice(this.flying, upto), last], {keepalive: true}));
+      if (tell) quietly(this.ask("PUT", "activities/state", this.state(kStateId), this.body(left), {keepalive: true}));
+      return false;
     }
   }
 
@@ -391,9 +500,18 @@ const moltactPlatform = (() => {
       this.link = link;
       this.page = page;
       this.unsent_key = "moltact/unsent/" + link.storage;
-      const there = stateOf(link.there);
-      this.there = there;
-      this.suspended = fartherOf(link.there, store.get(this.unsent_key) || "");
+      this.had_key = "moltact/had/" + link.storage;  // the attempt that the platform had last
+      this.silent = link.mode !== "normal";  // the platform only shows the lesson
+      this.keeps = !link.nameless;
+      this.there = stateOf(link.there);
+      let here = this.keeps && store.get(this.unsent_key) || "";
+      // The platform had this attempt and has it no longer: the teacher deleted it, or began a new one.
+      if (!link.there && here && store.get(this.had_key) === stateOf(here)?.began) {
+        store.drop(this.unsent_key);
+        here = "";
+      }
+      if (this.keeps && this.there) store.set(this.had_key, this.there.began);
+      this.suspended = fartherOf(link.there, here);
       this.began = null;
       this.from = 0;
       this.past_s = this.session_s = 0;  // of attempts of this session before the present one; with it
@@ -404,7 +522,7 @@ const moltactPlatform = (() => {
     }
 
     // The record with the interactions that the platform does not have; null without an attempt.
-    look() {
+    look(now_ms) {
       let text = this.page.record(this.link.limit, this.from);
       if (!text) return null;
       let record = JSON.parse(text);
@@ -414,15 +532,20 @@ const moltactPlatform = (() => {
         if (this.from) record = JSON.parse(this.page.record(this.link.limit, 0));
         const known_s = this.there && this.there.began === record.began ? this.there.t + 0.0005 : -1;
         // Of an attempt that goes on, the time of use so far belongs to earlier sessions.
-        this.first_s = this.suspended && stateOf(this.suspended).began === record.began ? stateOf(this.suspended).t : 0;
+        this.first_s = this.there?.began === record.began ? this.there.t : 0;
+        const resumed = stateOf(this.suspended);
+        this.earlier_s = resumed?.began === record.began ? resumed.t + 0.0005 : -1;
         record.interactions = record.interactions.filter((i) => i.t > known_s);
       }
+      // The program knows the time of use, which stands still in pauses; the clock is read here.
+      for (const i of record.interactions)
+        if (i.t > this.earlier_s) i.at = new Date(now_ms - 1000 * (record.t - i.t)).toISOString().replace(/\.\d+/, "");
       return record;
     }
 
     async step(last = false, now_ms = Date.now()) {
-      if (this.busy && !last) return;
-      const record = this.look();
+      if (this.link.ended || (this.busy && !last)) return;
+      const record = this.silent ? null : this.look(now_ms);
       if (!record) { if (last) this.link.end(); return; }
       const shown = JSON.stringify([record.place, record.done, record.of, record.score, record.began]);
       const wait_ms = this.lost ? kRetry_ms : kCommit_ms;
@@ -431,19 +554,23 @@ const moltactPlatform = (() => {
       this.from = record.interaction_count;
       this.shown = shown;
       this.committed_ms = now_ms;
-      store.set(this.unsent_key, record.suspended);  // until the platform has it
+      if (this.keeps) store.set(this.unsent_key, record.suspended);  // until the platform has it
       this.busy = true;
       let sent = false;
       try {
         this.link.write(record, record.interactions, this.sessionTime(record));
-        if (last) return this.link.end();
-        sent = await this.link.commit();
+        sent = last || await this.link.commit();
       } catch (error) {
         console.warn("the learning platform: " + error);
-      } finally {
-        this.busy = false;
       }
-      if (sent) store.drop(this.unsent_key);
+      this.busy = false;
+      if (this.link.ended) return;  // while this waited
+      if (last) sent = this.link.end() && sent;
+      if (sent && this.keeps) {
+        store.drop(this.unsent_key);
+        store.set(this.had_key, record.began);
+      }
+      if (this.link.ended) return;
       if (sent === this.lost) this.page.news(sent ? 1 : 0);
       this.lost = !sent;
     }

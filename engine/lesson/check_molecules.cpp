@@ -156,7 +156,8 @@ class Check {
     if (molecule.atoms.size() <= kMaxFluent || molecule.atoms.size() > kMaxSimulated) return;
     findings_.warning(
         scene.places.simulation,
-        trf("a molecule of {0} atoms makes fewer than 1000 steps per second: it follows the hand slowly",
+        trf("a molecule of {0} atoms makes fewer than 1000 steps per second on two cores: its answer to the hand comes "
+            "late",
             molecule.atoms.size()),
         trf("take a part of it, of at most {0} atoms, or measure on your computers: moltact simulate run", kMaxFluent));
   }

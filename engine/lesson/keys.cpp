@@ -153,8 +153,8 @@ std::vector<KeySpec> sceneKeys() {
   const KeySpec others[]{
       {.name = "show",
        .type = ValueType::WordList,
-       .meaning = "The visible parts of the picture.",
-       .fallback = "atoms, probe, force, target",
+       .meaning = "The visible parts of the picture, and no others. With a mouse, 'hip' shows its depth.",
+       .fallback = "atoms, probe, force, target, hip, facets",
        .words = viewPartNames()},
       {.name = "style",
        .type = ValueType::Styles,
@@ -294,10 +294,10 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "scan",
        .type = ValueType::Text,
        .meaning =
-           "The radius of a tip, at most 20 Å, that scans the molecule line by line from the viewer's side, like an "
-           "atomic force microscope; '10 Å, 100 pN' presses it with a constant force, and '0 Å' ends it. The height "
-           "picture grows in the view; the scanned surface can then be touched instead of the atoms, but touching "
-           "it does not count for tasks.",
+           "A tip of this radius, at most 20 Å, scans the molecule like an atomic force microscope; '10 Å, 100 pN' "
+           "keeps "
+           "the force constant, '0 Å' ends the scan. The scanned surface, a height picture in the view, can then be "
+           "touched instead of the atoms, but not for tasks.",
        .fallback = "0 Å"},
       {.name = "simulation",
        .type = ValueType::Text,

@@ -160,8 +160,9 @@ TEST_CASE(
   // 100 N/m are 10 000 pN for each angstrom between hand and body.
   for (const auto& [more, coupling_pN_per_A] :
        {std::pair{"coupling: 100 N/m\n", 1e4}, std::pair{"coupling: 20 N/m\n", 2e3}}) {
-    CAPTURE(more);
-    HeldWindow w(kDrug, more);
+    const std::string more_keys = more;
+    CAPTURE(more_keys);
+    HeldWindow w(kDrug, more_keys);
     w.placeAt(w.scene().stage().body->middle.A);
     w.pressAt(0.5, 0.5, 60);
     for (int k = 1; k <= 12; ++k) w.d->point("view", 0.5 + 0.004 * k, 0.5);

@@ -1,6 +1,8 @@
 // Modes and compliances that are kept on disk. Oracle: the computed ones, to the last bit.
 #include "engine/dynamics/network_solution.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct KeptFolder {
-  fs::path path = fs::temp_directory_path() / "moltact-network-solution";
+  fs::path path = fs::temp_directory_path() / ("moltact-network-solution-" + std::to_string(::getpid()));
   KeptFolder() { fs::remove_all(path); }
   ~KeptFolder() { fs::remove_all(path); }
 };

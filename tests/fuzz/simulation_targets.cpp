@@ -1,5 +1,6 @@
-// Kept modes of an elastic network, and the rows of numbers between a page and its worker. A row whose count does not fit is rejected. Any other is read, has as
-// many atoms as its count says, and reads the same when it is written again. The first byte chooses the kind of the row.
+// Kept modes of an elastic network, and the rows of numbers between a page and its worker. A row whose count does not
+// fit is rejected. Any other is read, has as many atoms as its count says, and reads the same when it is written again.
+// The first byte chooses the kind of the row.
 // Accepted modes are finite, ascending and as many as the network has nodes, and read the same when written again.
 #include <cmath>
 #include <cstring>

@@ -79,10 +79,9 @@ TEST_CASE(
               "take a part of it, or have students use the desktop program"});
   CHECK(warned(800).size() == 1);
   REQUIRE(warned(801).size() == 2);
-  CHECK(
-      warned(801)[0] ==
-      "l.md:12:13: a molecule of 801 atoms makes fewer than 1000 steps per second: it follows the hand slowly; take a "
-      "part of it, of at most 800 atoms, or measure on your computers: moltact simulate run");
+  CHECK(warned(801)[0] ==
+        "l.md:12:13: a molecule of 801 atoms makes fewer than 1000 steps per second on two cores: its answer to the "
+        "hand comes late; take a part of it, of at most 800 atoms, or measure on your computers: moltact simulate run");
 }
 
 TEST_CASE(

@@ -147,20 +147,25 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "names state protons: HIE, GLH and CYX of a file without hydrogens; the charges of a PQR file need no state") {
+    "names state protons of a file without hydrogens: HIP and GLH in 1UBQ, CYX in 1HEL; the charges of a PQR file need "
+    "no state") {
   const std::string text = test::libraryText("1ubq.pdb");
   std::string named = text;
-  const auto rename = [&](const std::string& from, const std::string& to) {
-    for (std::size_t at = named.find(from + " "); at != std::string::npos; at = named.find(from + " ", at + 1))
-      named.replace(at, 3, to);
+  const auto rename = [](std::string& in, const std::string& from, const std::string& to) {
+    for (std::size_t at = in.find(from + " "); at != std::string::npos; at = in.find(from + " ", at + 1))
+      in.replace(at, 3, to);
   };
-  rename("HIS A  68", "HIP");
-  rename("GLU A  16", "GLH");
+  rename(named, "HIS A  68", "HIP");
+  rename(named, "GLU A  16", "GLH");
   const Molecule m = test::moleculeOf(named);
   const PairAtoms a = pairAtoms(m);
   CHECK(states(m, a, Kind::Histidine) == std::vector<std::string>{"68 HIP*"});
   CHECK(counted(a, Kind::SideChain)["GLH*"] == 1);
   CHECK(a.net_charge_e == doctest::Approx(2.0).epsilon(0.001));
+
+  std::string lysozyme = test::libraryText("1hel.pdb");
+  rename(lysozyme, "CYS A", "CYX");
+  CHECK(counted(pairAtoms(test::moleculeOf(lysozyme)), Kind::Cysteine) == std::map<std::string, int>{{"CYX*", 8}});
 
   const PairAtoms pqr = pairAtoms(test::moleculeOf(
       "ATOM 1 N ASP A 1 0 0 0 -0.5 1.8\nATOM 2 CA ASP A 1 1.5 0 0 0.5 1.8\nATOM 3 N HIS A 2 3 0 0 0.5 1.8\n", "x.pqr"));

@@ -79,7 +79,7 @@ async function scorm(version) {
   assert.strictEqual(kept["cmi.interactions.1.result"], words.wrong);
   assert.strictEqual(kept["cmi.interactions.1.latency"], words.hour);
   assert.strictEqual(kept["cmi.interactions.1." + words.response], words.chosen);
-  assert.strictEqual(kept["cmi.interactions.1.correct_responses.0.pattern"], words.right);
+  assert.strictEqual(kept["cmi.interactions.1.correct_responses.0.pattern"], undefined);  // the question is open yet
   assert.strictEqual(kept["cmi.interactions.1.objectives.1.id"], "misconception_takes-this-f.c3.bcr-that");
   assert.strictEqual(kept["cmi.interactions.2.id"], undefined);
 
@@ -139,19 +139,158 @@ async function scorm(version) {
   d.program.record = record(4, {done: 1, interactions: [task]});
   await d.reporter.step(false, 1000);
   await d.reporter.step(true, 2000);
+  if (version === "1.2") delete shown[words.status];  // the platform's own conclusion
   assert.deepStrictEqual(Object.keys(shown).sort(), [words.learner, words.mode].sort());
+  // What is done in a review stays out of the learner's own work, also in this browser.
+  const real = await open({...shown, [words.mode]: "normal"}, stored);
+  assert.notStrictEqual(d.link.storage, real.link.storage);
+  assert.strictEqual(real.reporter.suspended, "");
+  const before = {...kept, [words.mode]: "Review"}, e = await open(before, stored, {lost: () => true});
+  e.program.record = record(99, {done: 3, interactions: [task]});
+  await e.reporter.step(false, 1000);
+  assert.deepStrictEqual(e.heard, []);  // nothing is lost where nothing is sent
+  await e.reporter.step(true, 2000);
+  assert.strictEqual(before["cmi.suspend_data"], kept["cmi.suspend_data"]);
+  assert.notStrictEqual((await open({...kept}, stored)).reporter.suspended, suspended(kBegan, 99));
+}
+
+async function scormFaults(version) {
+  const words = kVersions[version], learner = {[words.learner]: "ada", [words.mode]: "normal"};
+  const open = async (into, storage = new Storage(), options = {}) => {
+    const lms = runtime.make(version, into, options);
+    const page = browser(storage), link = await page.find(version, "urn:uuid:1", windowWith(lms.api, words.api));
+    const heard = [], program = {record: () => "", news: (what) => heard.push(what)};
+    return {lms, link, heard, program, reporter: new page.Reporter(link, program)};
+  };
+
+  // Opened and closed before the first deed: not completed, and the next visit goes on.
+  const idle = {...learner}, a = await open(idle);
+  await a.reporter.step(true, 1000);
+  assert.strictEqual(a.lms.state(), "over");
+  assert.strictEqual(idle[words.status], "incomplete");
+  assert.strictEqual(idle[words.exit], "suspend");
+  assert.strictEqual((await open(idle)).link.complete, false);
+  a.program.record = record(4, {done: 1, interactions: [task]});
+  await a.reporter.step(false, 2000);  // a look after the end calls nothing
+  await a.reporter.step(true, 3000);
+  assert.deepStrictEqual(a.lms.faults, []);
+
+  // Damaged data: the lesson begins, and its time is told.
+  const damaged = {...learner, "cmi.suspend_data": "of another program"}, b = await open(damaged);
+  b.program.record = record(7, {done: 1, interactions: [task]});
+  await b.reporter.step(false, 1000);
+  assert.deepStrictEqual(b.lms.faults, []);
+  assert.strictEqual(damaged[words.time], version === "1.2" ? "0000:00:07.00" : "PT7S");
+
+  // A new attempt, which the teacher began, does not find the work of the old one in this browser; unsent work of an
+  // attempt that the platform never had does.
+  const browser_1 = new Storage(), first = {...learner}, c = await open(first, browser_1);
+  c.program.record = record(5, {done: 1, interactions: [task]});
+  await c.reporter.step(false, 1000);
+  c.program.record = record(8, {done: 1, interactions: [task]});
+  await c.reporter.step(true, 2000);
+  assert.strictEqual(browser_1.getItem("moltact/unsent/" + c.link.storage), null);  // the last commit was acknowledged
+  assert.strictEqual(first["cmi.suspend_data"], suspended(kBegan, 8));
+  const lost = await open({...first}, browser_1, {lost: () => true});
+  lost.program.record = record(12, {done: 2, interactions: [task]});
+  await lost.reporter.step(true, 1000);
+  assert.strictEqual((await open({...first}, browser_1)).reporter.suspended, suspended(kBegan, 12));
+  assert.strictEqual((await open({...learner}, browser_1)).reporter.suspended, "");
+  const unsent = await open({...learner}, browser_1, {lost: () => true});
+  unsent.program.record = record(3, {began: "2026-11-25T08:00:00Z", done: 1, interactions: [task]});
+  await unsent.reporter.step(true, 1000);
+  assert.strictEqual((await open({...learner}, browser_1)).reporter.suspended, suspended("2026-11-25T08:00:00Z", 3));
+
+  // "false" for an interaction, and an exception in the middle of one: it is sent later, once, and in order.
+  for (const how of ["false", "throw", "throw in the middle"]) {
+    let refusing = true;
+    const refuses = (element) => {
+      if (!refusing || !element.startsWith("cmi.interactions.0." + (how === "throw in the middle" ? "result" : ""))) return false;
+      if (how === "false") return true;
+      throw new Error("the frame is gone");
+    };
+    const into = {...learner}, d = await open(into, new Storage(), {refuses});
+    d.program.record = record(4, {done: 1, interactions: [task, wrong]});
+    await d.reporter.step(false, 1000);
+    assert.deepStrictEqual(d.heard, [0], how);
+    assert.strictEqual(into["cmi.suspend_data"], undefined);  // the next visit would send the interactions
+    refusing = false;
+    await d.reporter.step(false, 12000);
+    assert.deepStrictEqual(d.heard, [0, 1], how);
+    assert.strictEqual(into["cmi.interactions.0.id"], "task_one_1");
+    assert.strictEqual(into["cmi.interactions.0.result"], "correct");
+    assert.strictEqual(into["cmi.interactions.1.id"], "question_one_which");
+    assert.strictEqual(into["cmi.interactions.2.id"], undefined);
+    assert.strictEqual(into["cmi.suspend_data"], suspended(kBegan, 4));
+    assert.deepStrictEqual(d.lms.faults, []);
+  }
+  // A platform that goes on refusing one, while it takes everything else, gets the others.
+  const into = {...learner};
+  let bad = false;
+  const picky = await open(into, new Storage(), {refuses: (element) => bad && element === "cmi.interactions.1.id"});
+  picky.program.record = record(4, {done: 1, interactions: [task]});
+  await picky.reporter.step(false, 1000);
+  bad = true;
+  picky.program.record = record(9, {done: 1, interactions: [task, wrong, free]});
+  for (const now_ms of [2000, 13000, 24000]) await picky.reporter.step(false, now_ms);
+  bad = false;
+  await picky.reporter.step(false, 35000);
+  assert.deepStrictEqual(picky.heard, [0, 1]);
+  assert.deepStrictEqual([0, 1, 2].map((n) => into[`cmi.interactions.${n}.id`]), ["task_one_1", "question_one_why", undefined]);
+
+  // The time of an answer is the clock's, although the time of use stood still in a pause of an hour. Two choices with one
+  // misconception name it once. The right choices come with the right answer.
+  const timed = {...learner}, f = await open(timed), noon_ms = Date.UTC(2026, 10, 21, 12, 0, 0);
+  f.program.record = record(3.2, {done: 1, interactions: [task]});
+  await f.reporter.step(false, noon_ms);
+  const twice = {...wrong, misconceptions: ["Same", "Same"], t: 10}, right = {...wrong, right: true, chosen: [1, 2], misconceptions: [], attempt: 2, t: 12};
+  f.program.record = record(14, {done: 1, interactions: [task, twice, right]});
+  await f.reporter.step(false, noon_ms + 3600e3);
+  const local = new Date(noon_ms + 3600e3 - 4000).toTimeString().slice(0, 8);
+  assert.strictEqual(timed["cmi.interactions.1." + (version === "1.2" ? "time" : "timestamp")],
+                     version === "1.2" ? local : "2026-11-21T12:59:56.00Z");
+  assert.strictEqual(timed["cmi.interactions.1.objectives.1.id"], "misconception_same");
+  assert.strictEqual(timed["cmi.interactions.1.objectives.2.id"], undefined);
+  assert.strictEqual(timed["cmi.interactions.2.correct_responses.0.pattern"], words.right);
+
+  // Suspended data that had to be shortened lower neither score nor goal of their attempt; a new attempt does.
+  const short = {...learner}, g = await open(short), goal = words.score.replace(/cmi.*score/, "cmi.objectives.0.score");
+  g.program.record = record(5, {done: 2, score: 2 / 3});
+  await g.reporter.step(true, 1000);
+  const h = await open(short);
+  h.program.record = record(6, {done: 1, score: 1 / 3});
+  await h.reporter.step(false, 1000);
+  assert.strictEqual(short[words.score], "66.67");
+  assert.strictEqual(short[goal], "66.67");
+  assert.strictEqual(short["cmi.objectives.0." + (version === "1.2" ? "status" : "completion_status")], "completed");
+  h.program.record = record(1, {began: "2026-11-25T08:00:00Z", done: 0, score: 0});
+  await h.reporter.step(false, 3000);
+  assert.strictEqual(short[words.score], "0");
+  assert.strictEqual(short[goal], "66.67");  // a finished goal stays so
+  assert.strictEqual(short["cmi.objectives.0." + (version === "1.2" ? "status" : "completion_status")], "completed");
+
+  // A platform that names no learner: what this browser keeps might be another's.
+  const shared = new Storage(), nobody = {[words.mode]: "normal"}, k = await open(nobody, shared, {lost: () => true});
+  k.program.record = record(5, {done: 1, interactions: [task]});
+  await k.reporter.step(true, 1000);
+  const next = await open({[words.mode]: "normal"}, shared);
+  assert.strictEqual(next.reporter.suspended, "");
+  assert.notStrictEqual(next.link.storage, k.link.storage);
+  assert.strictEqual(shared.all.size, 0);
 }
 
 // ---- a record store -----------------------------------------------------------------------------------------------------
 
 // What cmi5 requires of each request and statement (cmi5 1st edition, sections 7 to 10); xAPI 1.0.3.
 function recordStore() {
-  const store = {statements: [], states: new Map(), faults: [], lost: false, lose_answer: false, tokens: 0};
+  // A launch has a session and a token of its own. `refuses(statement)` gives the status of a request that is refused.
+  const store = {statements: [], states: new Map(), faults: [], lost: false, lose_answer: false, tokens: new Set(), session: "s1",
+                 state_fails: false, refuses: () => 0, closing: 0};
   const reply = (status, body) => ({status, ok: status < 300, json: async () => body});
   const must = (holds, what) => { if (!holds) store.faults.push(what); };
   const kCmi5 = "https://w3id.org/xapi/cmi5/context/categories/";
   store.launch = {contextTemplate: {contextActivities: {grouping: [{id: "urn:uuid:1"}]},
-                                    extensions: {"https://w3id.org/xapi/cmi5/context/extensions/sessionid": "s1"}},
+                                    get extensions() { return {"https://w3id.org/xapi/cmi5/context/extensions/sessionid": store.session}; }},
                   launchMode: "Normal", moveOn: "Completed"};
   function take(one) {
     const verb = one.verb.id.replace("http://adlnet.gov/expapi/verbs/", ""), categories = (one.context.contextActivities.category || []).map((c) => c.id);
@@ -159,7 +298,7 @@ function recordStore() {
     must(!Number.isNaN(Date.parse(one.timestamp)) && one.timestamp.endsWith("Z"), "timestamp " + one.timestamp);
     must(one.actor.account.name === "ada", "actor");
     must(one.context.registration === "r1", "registration");
-    must(one.context.extensions["https://w3id.org/xapi/cmi5/context/extensions/sessionid"] === "s1", "session of " + verb);
+    must(one.context.extensions["https://w3id.org/xapi/cmi5/context/extensions/sessionid"] === store.session, "session of " + verb);
     must(one.context.contextActivities.grouping.some((g) => g.id === "urn:uuid:1"), "grouping of " + verb);
     const defined = ["initialized", "completed", "passed", "failed", "terminated"].includes(verb);
     must(categories.includes(kCmi5 + "cmi5") === defined, "category of " + verb);
@@ -167,18 +306,27 @@ function recordStore() {
     if (defined) must(one.object.id === "https://lms/au/1", "object of " + verb);
     if (["completed", "passed", "failed", "terminated"].includes(verb)) must(/^PT[\d.]+S$/.test(one.result.duration), "duration of " + verb);
     if (verb === "completed") must(one.result.completion === true && one.result.score === undefined && one.result.success === undefined, "result of completed");
-    const before = store.statements.map((s) => s.verb.id.split("/").pop());
-    if (defined && verb !== "initialized") must(before.includes("initialized") && !before.includes("terminated"), "order of " + verb);
-    if (["initialized", "completed", "terminated"].includes(verb)) must(!before.includes(verb), verb + " twice");
-    store.statements.push(one);
+    const name = (s) => s.verb.id.split("/").pop();
+    const before = store.statements.filter((s) => s.of === store.session).map(name);
+    must((verb === "initialized") === (before.length === 0) && !before.includes("terminated"), `order of ${verb} after ${before}`);
+    if (["initialized", "terminated"].includes(verb)) must(!before.includes(verb), verb + " twice");
+    if (verb === "completed") must(!store.statements.map(name).includes(verb), verb + " twice");
+    const initialized = store.statements.find((s) => s.of === store.session);
+    if (initialized && !store.late) must(Date.parse(one.timestamp) >= Date.parse(initialized.timestamp), verb + " before the session");
+    store.statements.push({...one, of: store.session});
   }
   store.fetch = async (url, options) => {
     if (store.lost) throw new TypeError("Failed to fetch");
     url = new URL(url);
+    must(options.keepalive || options.signal instanceof AbortSignal, "no time limit for " + url);
     if (url.pathname === "/token") {
       must(options.method === "POST", "token by POST");
-      return ++store.tokens === 1 ? reply(200, {"auth-token": "dG9rZW4="}) : reply(200, {"error-code": "1", "error-text": "once"});
+      if (store.tokens.has(url.search)) return reply(200, {"error-code": "1", "error-text": "once"});
+      store.tokens.add(url.search);
+      return reply(200, {"auth-token": "dG9rZW4="});
     }
+    // Browsers count the bytes of all requests of a closing page together.
+    if (options.keepalive && (store.closing += Buffer.byteLength(options.body)) > 65536) throw new TypeError("Failed to fetch");
     must(options.headers.Authorization === "Basic dG9rZW4=", "authorization");
     must(/^1\.0\.\d$/.test(options.headers["X-Experience-API-Version"]), "version");
     if (url.pathname === "/xapi/agents/profile") return reply(404);
@@ -186,6 +334,7 @@ function recordStore() {
       must(url.searchParams.get("activityId") === "https://lms/au/1" && url.searchParams.get("registration") === "r1", "state");
       const id = url.searchParams.get("stateId");
       if (id === "LMS.LaunchData") return reply(200, store.launch);
+      if (store.state_fails && id !== "LMS.LaunchData") return reply(503);
       if (options.method === "PUT") { store.states.set(id, JSON.parse(options.body)); return reply(204); }
       return store.states.has(id) ? reply(200, store.states.get(id)) : reply(404);
     }
@@ -193,6 +342,9 @@ function recordStore() {
     const all = JSON.parse(options.body);
     const known = all.filter((one) => store.statements.some((s) => s.id === one.id));
     if (known.length) return reply(409);
+    const refused = all.map((one) => store.refuses(one)).find(Boolean);
+    if (refused) return reply(refused);
+    if (store.hangs && !options.keepalive) { await store.hangs; }
     all.forEach(take);
     if (store.lose_answer) { store.lose_answer = false; throw new TypeError("Failed to fetch"); }
     return reply(200, all.map((one) => one.id));
@@ -200,16 +352,20 @@ function recordStore() {
   return store;
 }
 
-async function cmi5() {
-  const lrs = recordStore(), stored = new Storage(), session = new Storage();
-  const search = "?" + new URLSearchParams({endpoint: "https://lms/xapi", fetch: "https://lms/token", registration: "r1",
+// Launches the lesson in the store's session. `session`: a tab's.
+async function launched(lrs, storage = new Storage(), session = new Storage()) {
+  const search = "?" + new URLSearchParams({endpoint: "https://lms/xapi", fetch: "https://lms/token?" + lrs.session, registration: "r1",
                                             activityId: "https://lms/au/1", actor: JSON.stringify({account: {homePage: "https://lms", name: "ada"}})});
-  const open = async (storage) => {
-    const page = browser(storage, {fetch: lrs.fetch, sessionStorage: session});
-    const link = await page.find("cmi5", "urn:uuid:2", {location: {search, pathname: "/"}});
-    const heard = [], program = {record: () => "", news: (what) => heard.push(what)};
-    return {link, heard, program, reporter: new page.Reporter(link, program)};
-  };
+  lrs.closing = 0;
+  const page = browser(storage, {fetch: lrs.fetch, sessionStorage: session});
+  const link = await page.find("cmi5", "urn:uuid:2", {location: {search, pathname: "/"}});
+  const heard = [], program = {record: () => "", news: (what) => heard.push(what)};
+  return {link, heard, program, reporter: new page.Reporter(link, program)};
+}
+const settled = () => new Promise((done) => setTimeout(done, 20));
+
+async function cmi5() {
+  const lrs = recordStore(), stored = new Storage(), session = new Storage(), open = (storage) => launched(lrs, storage, session);
   const verbs = () => lrs.statements.map((s) => s.verb.id.split("/").pop());
   const a = await open(stored);
   assert.deepStrictEqual(verbs(), ["initialized"]);
@@ -220,7 +376,7 @@ async function cmi5() {
   assert.strictEqual(answered.object.id, "urn:uuid:2#question_one_which");
   assert.strictEqual(answered.result.success, false);
   assert.strictEqual(answered.result.response, "choice_1");
-  assert.deepStrictEqual(answered.object.definition.correctResponsesPattern, ["choice_2[,]choice_3"]);
+  assert.strictEqual(answered.object.definition.correctResponsesPattern, undefined);  // the question is open yet
   assert.deepStrictEqual(Object.values(answered.result.extensions), [1, ["Takes this für that"]]);
   assert.strictEqual(lrs.states.get("moltact").suspended, suspended(kBegan, 4));
 
@@ -237,34 +393,155 @@ async function cmi5() {
   assert.deepStrictEqual(a.heard, [0, 1]);
   assert.deepStrictEqual(verbs().slice(6), ["answered", "progressed", "answered", "scored", "scored", "completed"]);
   assert.strictEqual(new Set(lrs.statements.map((s) => s.id)).size, lrs.statements.length);
-  assert.deepStrictEqual(lrs.states.get("moltact"), {suspended: suspended(kBegan, 20), completed: true});
+  assert.deepStrictEqual(lrs.states.get("moltact"), {suspended: suspended(kBegan, 20), completed: true, scores: {"": 1, goal_1: 1}});
   assert.strictEqual(stored.getItem(a.link.queue_key), null);
   assert.deepStrictEqual(lrs.faults, []);
 
-  // The page closes; loaded again, it takes the token that it had, and does not say "completed" once more.
+  // The page is loaded again without its end (a tab that crashed): the same token, and the session begins only once.
+  const crashed = await open(stored);
+  assert.strictEqual(verbs().filter((verb) => verb === "initialized").length, 1);
+  assert.strictEqual(crashed.reporter.suspended, suspended(kBegan, 20));
+
+  // The page closes. Loaded again, it does not begin: the session is over, and the platform begins a new one, on any
+  // computer. "completed" is not said once more, and what a finished lesson has does not fall.
   a.program.record = record(21, {done: 3, complete: true, score: 1, interactions: [task, wrong, free, {...task, t: 20}]});
   await a.reporter.step(true, 17000);
-  await new Promise((done) => setTimeout(done, 20));
+  await settled();
   assert.strictEqual(verbs().at(-1), "terminated");
   assert.deepStrictEqual(lrs.faults, []);
-  lrs.statements.length = 0;
-  const b = await open(new Storage());
+  await assert.rejects(open(stored), /this session is over/);
+  assert.strictEqual(verbs().at(-1), "terminated");
+  lrs.session = "s2";
+  const told = lrs.statements.length, b = await open(new Storage());
   assert.strictEqual(b.reporter.suspended, suspended(kBegan, 21));
   b.program.record = record(25, {done: 3, complete: true, score: 1, interactions: [task, wrong, free, {...task, t: 20}]});
   await b.reporter.step(false, 1000);
-  assert.deepStrictEqual(verbs(), ["initialized", "scored", "scored"]);
+  b.program.record = record(2, {began: "2026-11-25T08:00:00Z", done: 1, score: 1 / 3, interactions: [task]});
+  await b.reporter.step(false, 3000);
+  assert.deepStrictEqual(verbs().slice(told), ["initialized", "answered"]);
+  assert.deepStrictEqual(lrs.states.get("moltact").scores, {"": 1, goal_1: 1});
   assert.deepStrictEqual(lrs.faults, []);
 
   // A mark to pass, set by the platform, is judged when the lesson is finished.
   const strict = recordStore();
   strict.launch.masteryScore = 0.8;
-  const page = browser(new Storage(), {fetch: strict.fetch});
-  const link = await page.find("cmi5", "urn:uuid:2", {location: {search, pathname: "/"}});
-  const c = new page.Reporter(link, {record: record(9, {done: 3, complete: true, score: 0.5}), news() {}});
-  await c.step(false, 1000);
+  const c = await launched(strict);
+  c.program.record = record(9, {done: 3, complete: true, score: 0.5});
+  await c.reporter.step(false, 1000);
   assert.strictEqual(strict.statements.at(-1).verb.id, "http://adlnet.gov/expapi/verbs/failed");
   assert.strictEqual(strict.statements.at(-1).result.score.scaled, 0.5);
   assert.deepStrictEqual(strict.faults, []);
+}
+
+async function cmi5Faults() {
+  const verb = (s) => s.verb.id.split("/").pop(), state_key = "moltact";
+  // A statement that the store refuses for good does not hold back the others.
+  for (const status of [400, 413]) {
+    const lrs = recordStore(), a = await launched(lrs);
+    lrs.refuses = (s) => s.object.id.endsWith("_which") ? status : 0;
+    a.program.record = record(9, {done: 2, score: 1 / 3, interactions: [task, wrong, free]});
+    await a.reporter.step(false, 1000);
+    assert.deepStrictEqual(a.heard, []);
+    assert.deepStrictEqual(lrs.statements.filter((s) => verb(s) === "answered").map((s) => s.object.id),
+                           ["urn:uuid:2#task_one_1", "urn:uuid:2#question_one_why"]);
+    assert.strictEqual(lrs.states.get(state_key).suspended, suspended(kBegan, 9));
+    assert.deepStrictEqual(lrs.faults, []);
+    lrs.refuses = () => 500;  // but a store that is out of order is a lost connection
+    a.program.record = record(12, {done: 2, score: 1 / 3, interactions: [task, wrong, free, {...task, t: 11}]});
+    await a.reporter.step(false, 3000);
+    assert.deepStrictEqual(a.heard, [0]);
+    assert.strictEqual(a.link.queue.length, 1);
+  }
+
+  // A state that cannot be read: the session does not begin, and the work in the platform stays.
+  const lrs = recordStore();
+  lrs.states.set(state_key, {suspended: suspended(kBegan, 4), completed: false});
+  lrs.state_fails = true;
+  await assert.rejects(launched(lrs), /state: 503/);
+  assert.deepStrictEqual(lrs.statements, []);
+  assert.strictEqual(lrs.states.get(state_key).suspended, suspended(kBegan, 4));
+
+  // A close with a long rest: the requests keep to 64 KiB, the oldest statements go first, and the rest waits, with
+  // "completed", for the next session, which sends it as its own.
+  const full = recordStore(), stored = new Storage(), b = await launched(full, stored);
+  const many = Array.from({length: 60}, (_, k) => ({...free, id: `question_one_q${k}`, written: "ü".repeat(1200), t: k + 1}));
+  const long = JSON.stringify([...JSON.parse(suspended(kBegan, 61)), "x".repeat(20000)]);
+  b.program.record = record(61, {done: 3, complete: true, score: 1, interactions: many, text: long});
+  await b.reporter.step(true, 1000);
+  await settled();
+  const sent = full.statements.map(verb);
+  assert.strictEqual(sent.at(-1), "terminated");
+  assert.ok(full.closing > 50000 && full.closing <= 65536, String(full.closing));
+  const count = sent.length - 2;  // but initialized and terminated
+  assert.ok(count > 10 && count < 60, String(count));
+  assert.deepStrictEqual(full.statements.slice(1, -1).map((s) => s.object.id.split("_q")[1]), many.slice(0, count).map((_, k) => String(k)));
+  assert.deepStrictEqual(full.states.get(state_key), {suspended: long, completed: false, scores: {"": 1, goal_1: 1}});
+  full.session = "s2";
+  full.late = true;  // the statements keep the time of their deed
+  const c = await launched(full, stored);
+  c.program.record = record(62, {done: 3, complete: true, score: 1, interactions: many});
+  await c.reporter.step(false, 1000);
+  const all = full.statements.map(verb);
+  assert.deepStrictEqual(["answered", "completed", "terminated"].map((v) => all.filter((one) => one === v).length), [60, 1, 1]);
+  assert.strictEqual(full.states.get(state_key).completed, true);
+  assert.strictEqual(stored.getItem(c.link.queue_key), null);
+  assert.deepStrictEqual(full.faults, []);
+
+  // Suspended data that had to be shortened lower no score of their attempt; a new attempt does.
+  const short = recordStore();
+  short.states.set(state_key, {suspended: suspended(kBegan, 5), completed: false, scores: {"": 2 / 3, goal_1: 2 / 3}});
+  const h = await launched(short);
+  h.program.record = record(6, {done: 1, score: 1 / 3});
+  await h.reporter.step(false, 1000);
+  assert.ok(!short.statements.map(verb).includes("scored"));
+  h.program.record = record(1, {began: "2026-11-25T08:00:00Z", done: 1, score: 0});
+  await h.reporter.step(false, 3000);
+  assert.deepStrictEqual(short.statements.filter((s) => verb(s) === "scored").map((s) => s.result.score.scaled), [0, 0]);
+
+  // A close while a request is under way: its statements are not sent a second time, which would refuse "terminated" too.
+  const slow = recordStore(), d = await launched(slow);
+  let release;
+  slow.hangs = new Promise((done) => { release = done; });
+  d.program.record = record(4, {done: 1, score: 1 / 3, interactions: [task]});
+  const flying = d.reporter.step(false, 1000);
+  d.program.record = record(5, {done: 1, score: 1 / 3, interactions: [task, wrong]});
+  await d.reporter.step(true, 2000);
+  await settled();
+  assert.deepStrictEqual(slow.statements.map(verb), ["initialized", "answered", "terminated"]);
+  assert.strictEqual(slow.statements[1].object.id, "urn:uuid:2#question_one_which");
+  assert.strictEqual(slow.states.get(state_key).suspended, suspended(kBegan, 5));
+  assert.deepStrictEqual(slow.faults, []);
+  slow.hangs = null;
+  slow.faults.length = 0;
+  release();
+  await flying;
+  assert.deepStrictEqual(d.heard, []);
+
+  // A damaged list of waiting statements, and a browser that blocks its storage, hinder nothing.
+  const damaged = new Storage();
+  damaged.setItem(d.link.queue_key, "{");
+  const e = await launched(recordStore(), damaged);
+  assert.deepStrictEqual([...e.link.queue], []);
+  damaged.setItem(d.link.queue_key, "[null, 3]");
+  assert.deepStrictEqual([...(await launched(recordStore(), damaged)).link.queue], []);
+  const blocked = new Proxy({}, {get() { throw new Error("SecurityError"); }}), shut = recordStore();
+  const f = await launched(shut, blocked, blocked);
+  f.program.record = record(4, {done: 1, score: 1 / 3, interactions: [task, {...wrong, right: true, chosen: [1, 2], misconceptions: []}]});
+  await f.reporter.step(false, 1000);
+  assert.deepStrictEqual(shut.statements.map(verb).slice(0, 3), ["initialized", "answered", "answered"]);
+  assert.deepStrictEqual(shut.statements[2].object.definition.correctResponsesPattern, ["choice_2[,]choice_3"]);
+  assert.deepStrictEqual(shut.faults, []);
+
+  // A review: the session begins and ends, and tells nothing else.
+  const review = recordStore();
+  review.launch.launchMode = "Review";
+  const g = await launched(review);
+  g.program.record = record(4, {done: 3, complete: true, score: 1, interactions: [task]});
+  await g.reporter.step(false, 1000);
+  await g.reporter.step(true, 2000);
+  await settled();
+  assert.deepStrictEqual(review.statements.map(verb), ["initialized", "terminated"]);
+  assert.strictEqual(review.states.size, 0);
 }
 
 async function none() {
@@ -290,7 +567,10 @@ async function none() {
 (async () => {
   await scorm("1.2");
   await scorm("2004");
+  await scormFaults("1.2");
+  await scormFaults("2004");
   await cmi5();
+  await cmi5Faults();
   await none();
   console.log("the learning platforms: all as the standards say");
 })().catch((error) => { console.error(error); process.exit(1); });

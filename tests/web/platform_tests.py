@@ -214,7 +214,9 @@ class Platform(PageTest):
             self.touch_and_err(browser)
             browser.click("lesson/next")
             browser.wait_for("lesson/step", "Slide")
-            time.sleep(3)  # the page looks every two seconds
+            # The page looks every two seconds; the state then names the second step.
+            browser.until("Object.keys(localStorage).some((key) => key.startsWith('moltact/unsent/') && "
+                          "JSON.parse(localStorage[key])[5].startsWith('1.'))", 30)
             self.end(browser)
             self.play("1.2", {"cmi.core.student_id": "bo", "cmi.core.lesson_mode": "normal"}, browser)
             browser.wait_for("lesson/step", "Touch")
@@ -243,6 +245,10 @@ class Platform(PageTest):
             browser = self.play("1.2", {"cmi.core.student_id": "ada", "cmi.core.lesson_mode": "normal", "cmi.suspend_data": "of another program"})
             browser.wait_for("lesson/step", "Touch")
             self.assertTrue(any("is damaged" in said for said in browser.said()), browser.said())
+            browser.wait_for("task/0", "current")
+            self.press(browser, until=("task/0", "done"))
+            self.await_kept(browser, "cmi.interactions.0.id", "task_touch_1")
+            self.end(browser)
 
     def test_scorm_again_of_npm_takes_every_value(self):
         npm, node = shutil.which("npm"), shutil.which("node")

@@ -68,10 +68,11 @@ const scormRuntime = (() => {
   };
 
   /// `kept`: the values by element, which the test keeps from one session to the next. `options.lost()` is true while the
-  /// connection is lost; `options.interactions` is false for a platform that takes none.
+  /// connection is lost; `options.interactions` is false for a platform that takes none. `options.refuses(element)` is true
+  /// where the platform answers "false" to a value, and may throw.
   function make(version, kept, options = {}) {
     const model = kModels[version], values = {...kept}, faults = [], old = version === "1.2";
-    let state = "new", commits = 0;
+    let state = "new", commits = 0, error = "0";
     const fault = (...what) => { faults.push(what.join(" ")); return "false"; };
     const general = (element) => element.replace(/\.\d+(?=\.|$)/g, ".n");
     const count = (list) => {
@@ -84,6 +85,7 @@ const scormRuntime = (() => {
       initialize: (x) => state !== "new" || x !== "" ? fault("Initialize in state", state) : (state = "running", "true"),
       get(element) {
         if (state !== "running") return fault("GetValue in state", state), "";
+        if (options.interactions === false && element.startsWith("cmi.interactions")) return error = "401", "";
         if (/\._count$/.test(element)) return String(count(element.slice(0, -7)));
         if (old && element.startsWith("cmi.interactions.")) return fault("GetValue of", element), "";
         if (!model[general(element)] && !kRead[version].includes(element)) return fault("GetValue of", element), "";
@@ -92,7 +94,8 @@ const scormRuntime = (() => {
       set(element, value) {
         if (state !== "running") return fault("SetValue in state", state);
         if (typeof value !== "string") return fault("SetValue of no text", element);
-        if (options.interactions === false && element.startsWith("cmi.interactions.")) return "false";
+        if (options.interactions === false && element.startsWith("cmi.interactions.")) return error = "401", "false";
+        if (options.refuses && options.refuses(element)) return error = "101", "false";
         const takes = model[general(element)];
         if (!takes) return fault("SetValue of", element);
         if (!takes(value)) return fault("SetValue", element, value);
@@ -116,6 +119,8 @@ const scormRuntime = (() => {
       },
       terminate(x) {
         if (state !== "running" || x !== "") return fault("Terminate in state", state);
+        // SCORM 1.2, lesson_status: a platform may conclude so where the lesson told it nothing.
+        if (old && !values["cmi.core.lesson_status"]) values["cmi.core.lesson_status"] = "completed";
         api.commit("");
         state = "over";
         return "true";
@@ -123,7 +128,7 @@ const scormRuntime = (() => {
     };
     const names = old ? {LMSInitialize: "initialize", LMSGetValue: "get", LMSSetValue: "set", LMSCommit: "commit", LMSFinish: "terminate"}
                       : {Initialize: "initialize", GetValue: "get", SetValue: "set", Commit: "commit", Terminate: "terminate"};
-    const out = {LMSGetLastError: () => "0", GetLastError: () => "0"};
+    const out = {[old ? "LMSGetLastError" : "GetLastError"]: () => error};
     for (const [name, own] of Object.entries(names)) out[name] = api[own];
     return {api: out, faults, values, state: () => state, commits: () => commits};
   }

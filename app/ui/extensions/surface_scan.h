@@ -1,5 +1,6 @@
-// The scanning tip of a scene (`scan: 10 A`, or at constant force `scan: 10 A, 100 pN`): it rasters over the molecule from the viewer's side, line by line, while the
-// height picture grows beside the view. The scanned surface can then be touched as a height field instead of the atoms.
+// The scanning tip of a scene (`scan: 10 A`, or at constant force `scan: 10 A, 100 pN`): it rasters over the molecule
+// from the viewer's side, line by line, while the height picture grows beside the view. The scanned surface can then be
+// touched as a height field instead of the atoms.
 // Contacts with it do no task. Window's thread; afterPanels needs the GL context.
 #pragma once
 
