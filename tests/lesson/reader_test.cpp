@@ -185,7 +185,7 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   const SceneSpec& d = l.steps[3].scene;
   CHECK((d.touch.probe_A == 1.4 && d.touch.force_on && d.touch.stiffness_N_per_mm == doctest::Approx(0.5)));
   CHECK((d.view.side == "side" && !d.view.facing.given()));
-  CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
+  CHECK(d.show == Texts{"atoms", "probe", "force", "target", "hip", "facets"});
 }
 
 TEST_CASE("what a scene magnifies continues until a scene says otherwise, 'none' or another molecule") {
