@@ -12,20 +12,18 @@ namespace moltact {
 std::string chargeFaults(const PairAtoms& assigned) {
   using Kind = PairAtoms::Note::Kind;
   std::set<std::uint32_t> unknown, without, incomplete;
-  bool same_place = false, fractional = false;
+  bool fractional = false;
   for (const PairAtoms::Note& note : assigned.notes) {
     if (note.kind == Kind::UnknownElement) unknown.insert(note.residue);
     if (note.kind == Kind::NoTemplate && !assigned.file_charges) without.insert(note.residue);
     if ((note.kind == Kind::OtherAtoms || note.kind == Kind::MissingAtoms) && !assigned.file_charges)
       incomplete.insert(note.residue);
-    same_place = same_place || note.kind == Kind::SamePlace;
     fractional = fractional || note.kind == Kind::FractionalCharge;
   }
   std::vector<std::string> parts;
   if (!unknown.empty())
     parts.push_back(trnf("{0} residue has atoms of unknown elements", "{0} residues have atoms of unknown elements",
                          unknown.size(), unknown.size()));
-  if (same_place) parts.push_back(tr("two atoms lie in one place, which makes their forces wrong"));
   if (fractional)
     parts.push_back(trf("the net charge is {0} e from a whole number",
                         quantityNumber(std::abs(assigned.net_charge_e - std::round(assigned.net_charge_e)),

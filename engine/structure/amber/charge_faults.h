@@ -8,8 +8,8 @@
 
 namespace moltact {
 
-/// In the language in use; empty if nothing is wrong. Reports atoms of unknown elements, two atoms in one place and a net
-/// charge far from a whole number. Unless the charges are the file's, it also reports residues without charges or with
+/// In the language in use; empty if nothing is wrong. Reports atoms of unknown elements and a net charge far from a
+/// whole number. Atoms in one place are no fault here: ligands that are held in turn may share a site. Unless the charges are the file's, it also reports residues without charges or with
 /// charges of some atoms only.
 std::string chargeFaults(const PairAtoms& assigned);
 
