@@ -1,4 +1,4 @@
-// What a learning platform is told about an attempt: place, progress, score, objectives and interactions. SCORM 1.2,
+// What a learning platform receives about an attempt: place, progress, score, objectives and interactions. SCORM 1.2,
 // SCORM 2004 and cmi5 (docs/learning-platforms.md) report the same record. A pure computation; any thread but the haptic
 // one. Units: second of use, UTC.
 #pragma once
