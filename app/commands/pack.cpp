@@ -127,7 +127,8 @@ void addPack(CLI::App& app) {
               [](const std::string& edition) {
                 return edition.empty() || edition == "1.2" || edition == "2004"
                            ? std::string()
-                           : "'" + edition + "' is no edition of SCORM: write --scorm 1.2 or --scorm 2004";
+                           : "'" + edition + "' is no edition of SCORM: write --scorm 1.2 or --scorm 2004, " +
+                                 "or the lesson before --scorm";
               },
               ""))
           ->excludes(html);

@@ -1,7 +1,6 @@
 #include "engine/pack/platform_pack.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "engine/core/content_hash.h"
@@ -17,17 +16,25 @@ constexpr const char* kStartPage = "index.html";
 
 std::string languageOf(const PlatformCourse& course) { return course.language.empty() ? "und" : course.language; }
 
+// XML has no U+FFFE and U+FFFF, though UTF-8 encodes them: they become U+FFFD.
+std::string xmlText(std::string_view text) {
+  std::string out = escaped(text);
+  for (std::size_t at = 0; (at = out.find("\xEF\xBF", at)) != std::string::npos; at += 2)
+    if (at + 2 < out.size() && (out[at + 2] == '\xBE' || out[at + 2] == '\xBF')) out[at + 2] = '\xBD';
+  return out;
+}
+
 // An XML name (NCName): letters of ASCII, digits and -.
 std::string identifierOf(const PlatformCourse& course) {
   std::string out = "moltact-";
   for (const char c : course.name)
-    if (std::isalnum(static_cast<unsigned char>(c)) || c == '-') out += c;
+    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-') out += c;
   out.resize(std::min<std::size_t>(out.size(), 60));
   return out + '-' + contentHash(course.name + '\n' + course.title);
 }
 
 std::string scorm12(const PlatformCourse& course) {
-  const std::string title = escaped(course.title);
+  const std::string title = xmlText(course.title);
   return R"(<?xml version="1.0" encoding="UTF-8"?>
 <manifest identifier=")" +
          identifierOf(course) +
@@ -58,7 +65,7 @@ std::string scorm12(const PlatformCourse& course) {
 }
 
 std::string scorm2004(const PlatformCourse& course) {
-  const std::string title = escaped(course.title);
+  const std::string title = xmlText(course.title);
   return R"(<?xml version="1.0" encoding="UTF-8"?>
 <manifest identifier=")" +
          identifierOf(course) +
@@ -95,9 +102,9 @@ std::string scorm2004(const PlatformCourse& course) {
 }
 
 std::string cmi5(const PlatformCourse& course) {
-  const std::string iri = lessonIri(course), language = escaped(languageOf(course));
+  const std::string iri = lessonIri(course), language = xmlText(languageOf(course));
   const auto text = [&](const char* element, const std::string& words, const std::string& indent) {
-    return indent + '<' + element + ">\n" + indent + "  <langstring lang=\"" + language + "\">" + escaped(words) +
+    return indent + '<' + element + ">\n" + indent + "  <langstring lang=\"" + language + "\">" + xmlText(words) +
            "</langstring>\n" + indent + "</" + element + ">\n";
   };
   const std::string about = course.description.empty() ? course.title : course.description;

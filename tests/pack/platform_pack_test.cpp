@@ -80,6 +80,17 @@ TEST_CASE("cmi5.xml has title and description in the lesson's language, and each
   }
 }
 
+TEST_CASE("U+FFFE and U+FFFF, which XML forbids, become U+FFFD in every manifest; their neighbours stay") {
+  const PlatformCourse course{"n", "a\uFFFEb\uFFFF\uFFFEc\uFFFC", "", "de", {"\uFFFFgoal"}};
+  for (const LearningPlatform platform :
+       {LearningPlatform::Scorm12, LearningPlatform::Scorm2004, LearningPlatform::Cmi5}) {
+    const std::string manifest = platformManifest(platform, course);
+    CHECK(manifest.find("a\uFFFDb\uFFFD\uFFFDc\uFFFC") != std::string::npos);
+    CHECK(manifest.find("\uFFFE") == std::string::npos);
+    CHECK(manifest.find("\uFFFF") == std::string::npos);
+  }
+}
+
 TEST_CASE("a page that is no browser edition, holds a lesson or is of an earlier version gives a message, no zip") {
   const PlatformCourse course{"l", "L", "", "", {}};
   const auto zip = [&](const std::string& page) {
