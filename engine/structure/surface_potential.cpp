@@ -76,9 +76,9 @@ class Part {
     });
     double sum = 0.0;
     for (const Vec3& point : free) {
-      PairTerms terms;
-      kernel_.slope(blocks.data(), int(blocks.size()), constants_, PairOwn({.charge_e = 1.0f}, point), terms);
-      sum += terms.energy[EnergyPart::Electrostatic];
+      PairLaneSums lanes;
+      kernel_.slope(blocks.data(), int(blocks.size()), constants_, PairOwn({.charge_e = 1.0f}, point), lanes);
+      sum += lanes.total().energy[EnergyPart::Electrostatic];
     }
     return float(sum / double(free.size()));
   }

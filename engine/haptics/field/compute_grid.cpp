@@ -96,8 +96,9 @@ std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const
           PairOwn own(unit, at);
           for (std::size_t size = 0; size < std::max<std::size_t>(sizes.size(), 1); ++size) {
             if (size < sizes.size()) own.half_minimum_A = sizes[size];
-            PairTerms terms;
-            add(blocks.data(), int(blocks.size()), constants, own, terms);
+            PairLaneSums sums;
+            add(blocks.data(), int(blocks.size()), constants, own, sums);
+            const PairTerms terms = sums.total();
             if (size < sizes.size()) out.van_der_waals[size][node] = float(terms.energy[EnergyPart::VanDerWaals]);
             if (size == 0) out.electrostatic[node] = float(terms.energy[EnergyPart::Electrostatic]);
           }

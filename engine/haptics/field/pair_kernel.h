@@ -15,6 +15,9 @@ namespace moltact {
 struct alignas(32) PairBlock {
   static constexpr int kLanes = 8;
   float x[kLanes], y[kLanes], z[kLanes], charge_e[kLanes], half_minimum_A[kLanes], root_depth[kLanes];
+  /// Bounds of the atoms' distances from the centre. The loops skip what cannot be within the cut-off, and the switch where
+  /// no atom can reach it; the result does not change. The defaults hold for any atoms.
+  float nearest_A = 0.0f, farthest_A = 1e30f;
 
   void set(int lane, const Vec3& relative, const PairAtom& atom) noexcept {
     x[lane] = float(relative.x);
@@ -51,15 +54,26 @@ struct PairTerms {
   std::array<double, 6> curvature{};  // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
 };
 
+/// The same sums lane by lane, while blocks are added. The gradient and the curvature are half of PairTerms'.
+struct alignas(32) PairLaneSums {
+  using Lanes = std::array<float, PairBlock::kLanes>;
+  std::array<Lanes, kEnergyParts> energy{};
+  std::array<Lanes, 3> gradient{};
+  std::array<Lanes, 6> curvature{};
+
+  PairTerms total() const noexcept;
+};
+
 /// A PairModel's numbers, as the loop needs them.
 struct PairConstants {
   explicit PairConstants(const PairModel& model);
   float coulomb;                     // of charges in the model's dielectric
-  float cut2, from2, inverse_width;  // squares of cut-off and start of the switch; 1 / (cut2 - from2)
+  float cut_A, from_A;               // cut-off and start of the switch
+  float cut2, from2, inverse_width;  // their squares; 1 / (cut2 - from2)
 };
 
 using AddPairs = void (*)(const PairBlock* blocks, int count, const PairConstants& constants, const PairOwn& own,
-                          PairTerms& terms) noexcept;
+                          PairLaneSums& sums) noexcept;
 
 /// The gradient of each pair's energy with respect to the own atom's position (unit: kcal/mol/A).
 using PairGradients = std::array<Vec3, PairBlock::kLanes>;
