@@ -36,8 +36,9 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
 }
 
 std::size_t PairSum::bytes() const noexcept {
-  return chunks_.capacity() * sizeof(Chunk) + candidates_.capacity() * (sizeof(Candidate) + sizeof order_[0]) + (atoms_.capacity() + body_.capacity()) * sizeof(PairAtom) +
-         lists_.capacity() * sizeof(List) + places_.capacity() * sizeof(Vec3);
+  return chunks_.capacity() * sizeof(Chunk) + candidates_.capacity() * (sizeof(Candidate) + sizeof order_[0]) +
+         (atoms_.capacity() + body_.capacity()) * sizeof(PairAtom) + lists_.capacity() * sizeof(List) +
+         places_.capacity() * sizeof(Vec3);
 }
 
 void PairSum::release(List& list) noexcept {
@@ -57,7 +58,9 @@ bool PairSum::append(List& list, std::size_t count) noexcept {
   constexpr std::size_t kShells = 64;
   const double reach = model_.cutoff_A + kMargin_A;
   const float shells_per_A2 = float(double(kShells) / (reach * reach));
-  const auto shell = [&](const Candidate& c) { return std::min(std::size_t(c.squared_A2 * shells_per_A2), kShells - 1); };
+  const auto shell = [&](const Candidate& c) {
+    return std::min(std::size_t(c.squared_A2 * shells_per_A2), kShells - 1);
+  };
   std::array<std::uint32_t, kShells + 1> begins{};
   for (std::size_t k = 0; k < count; ++k) ++begins[shell(candidates_[k]) + 1];
   for (std::size_t k = 0; k < kShells; ++k) begins[k + 1] += begins[k];
