@@ -130,20 +130,17 @@ MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, c
   return out;
 }
 
-// PairLaneSums in registers.
+MOLTACT_INLINE double total(V8 v) {
+  using V4d = double __attribute__((vector_size(32)));
+  const V4d four = __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3), V4d) +
+                   __builtin_convertvector(__builtin_shufflevector(v, v, 4, 5, 6, 7), V4d);
+  return (four[0] + four[2]) + (four[1] + four[3]);
+}
+
+// Sums over the pairs of several blocks, lane by lane.
 template <bool curved>
 struct LaneSums {
-  V8 energy[kEnergyParts], gx, gy, gz, xx, yy, zz, xy, xz, yz;
-
-  template <class Access>
-  MOLTACT_INLINE void each(PairLaneSums& sums, Access&& access) {
-    for (std::size_t k = 0; k < kEnergyParts; ++k) access(energy[k], sums.energy[k]);
-    V8* const slope[] = {&gx, &gy, &gz};
-    for (std::size_t k = 0; k < 3; ++k) access(*slope[k], sums.gradient[k]);
-    if constexpr (!curved) return;
-    V8* const bend[] = {&xx, &yy, &zz, &xy, &xz, &yz};
-    for (std::size_t k = 0; k < 6; ++k) access(*bend[k], sums.curvature[k]);
-  }
+  V8 energy[kEnergyParts]{}, gx{}, gy{}, gz{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
 
   MOLTACT_INLINE void add(const PairLanes& p) {
     for (std::size_t k = 0; k < kEnergyParts; ++k) energy[k] += p.energy[k];
@@ -159,24 +156,34 @@ struct LaneSums {
     xz += ax * p.dz;
     yz += ay * p.dz;
   }
+
+  MOLTACT_INLINE void addTo(PairTerms& terms) const {
+    for (std::size_t k = 0; k < kEnergyParts; ++k) terms.energy.values[k] += total(energy[k]);
+    // By the place: t's derivative is 2 (dx, dy, dz).
+    terms.gradient += 2.0 * Vec3(total(gx), total(gy), total(gz));
+    if constexpr (!curved) return;
+    const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
+    for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += 2.0 * total(*curvature[k]);
+  }
 };
 
 template <Dielectric kind, bool curved>
-MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
-                        PairLaneSums& to) noexcept {
+MOLTACT_INLINE void add(const PairRun* runs, int count, const PairConstants& c, const PairOwn& own,
+                        PairTerms& terms) noexcept {
   // The atom is at most this far from the centre of the blocks, with room for rounding.
   const float off_A = std::sqrt(own.x * own.x + own.y * own.y + own.z * own.z) + 1e-3f;
+  const float beyond_A = c.cut_A + off_A, outside_A = float(kMinPair_A) + off_A, within_A = c.from_A - off_A;
   LaneSums<curved> sums;
-  sums.each(to, [](V8& lanes, const PairLaneSums::Lanes& from) { lanes = load(from.data()); });
-  for (int b = 0; b < count; ++b) {
-    const PairBlock& block = blocks[b];
-    if (block.nearest_A - off_A >= c.cut_A) continue;
-    if (block.nearest_A - off_A > float(kMinPair_A) && block.farthest_A + off_A < c.from_A)
-      sums.add(pairs<kind, true>(block, c, own));
-    else
-      sums.add(pairs<kind, false>(block, c, own));
-  }
-  sums.each(to, [](const V8& lanes, PairLaneSums::Lanes& into) { std::memcpy(into.data(), &lanes, sizeof lanes); });
+  for (int r = 0; r < count; ++r)
+    for (int b = 0; b < runs[r].count; ++b) {
+      const PairBlock& block = runs[r].blocks[b];
+      if (block.nearest_A >= beyond_A) continue;
+      if (block.farthest_A < within_A && block.nearest_A > outside_A)
+        sums.add(pairs<kind, true>(block, c, own));
+      else
+        sums.add(pairs<kind, false>(block, c, own));
+    }
+  sums.addTo(terms);
 }
 
 template <Dielectric kind>
@@ -187,16 +194,15 @@ void eachPair(const PairBlock& block, const PairConstants& c, const PairOwn& own
 }
 
 template <Dielectric kind, bool curved>
-void addPlain(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
-              PairLaneSums& sums) noexcept {
-  add<kind, curved>(blocks, count, c, own, sums);
+void addPlain(const PairRun* runs, int count, const PairConstants& c, const PairOwn& own, PairTerms& terms) noexcept {
+  add<kind, curved>(runs, count, c, own, terms);
 }
 
 #ifdef MOLTACT_HAS_AVX2_LOOP
 template <Dielectric kind, bool curved>
-__attribute__((target("avx2"))) void addAvx2(const PairBlock* blocks, int count, const PairConstants& c,
-                                             const PairOwn& own, PairLaneSums& sums) noexcept {
-  add<kind, curved>(blocks, count, c, own, sums);
+__attribute__((target("avx2"))) void addAvx2(const PairRun* runs, int count, const PairConstants& c, const PairOwn& own,
+                                             PairTerms& terms) noexcept {
+  add<kind, curved>(runs, count, c, own, terms);
 }
 #endif
 
@@ -225,21 +231,7 @@ PairKernel kernelOf(Dielectric kind, bool for_every_processor) noexcept {
   return for_every_processor ? plain<Dielectric::MehlerSolmajer>() : fastest<Dielectric::MehlerSolmajer>();
 }
 
-double sumOf(const PairLaneSums::Lanes& v) noexcept {
-  return ((double(v[0]) + double(v[4])) + (double(v[2]) + double(v[6]))) +
-         ((double(v[1]) + double(v[5])) + (double(v[3]) + double(v[7])));
-}
-
 }  // namespace
-
-PairTerms PairLaneSums::total() const noexcept {
-  PairTerms out;
-  for (std::size_t k = 0; k < kEnergyParts; ++k) out.energy.values[k] = sumOf(energy[k]);
-  // The loops differentiate by t, the squared distance; t's derivative by the place is 2 (dx, dy, dz).
-  out.gradient = 2.0 * Vec3(sumOf(gradient[0]), sumOf(gradient[1]), sumOf(gradient[2]));
-  for (std::size_t k = 0; k < curvature.size(); ++k) out.curvature[k] = 2.0 * sumOf(curvature[k]);
-  return out;
-}
 
 PairConstants::PairConstants(const PairModel& model)
     : coulomb(float(kCoulomb_kcal_A / (model.kind == Dielectric::MehlerSolmajer ? 1.0 : model.dielectric))),

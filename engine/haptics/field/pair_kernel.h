@@ -20,12 +20,16 @@ struct alignas(32) PairBlock {
   float nearest_A = 0.0f, farthest_A = 1e30f;
 
   void set(int lane, const Vec3& relative, const PairAtom& atom) noexcept {
-    x[lane] = float(relative.x);
-    y[lane] = float(relative.y);
-    z[lane] = float(relative.z);
+    set(lane, relative, atom, std::sqrt(atom.depth_kcal_mol));
+  }
+  /// The same with the square root of the atom's depth.
+  void set(int lane, const glm::vec3& relative, const PairAtom& atom, float root) noexcept {
+    x[lane] = relative.x;
+    y[lane] = relative.y;
+    z[lane] = relative.z;
     charge_e[lane] = atom.charge_e;
     half_minimum_A[lane] = atom.half_minimum_A;
-    root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
+    root_depth[lane] = root;
   }
   /// Clears the lanes from this one on by moving them beyond every cut-off.
   void clear(int from_lane) noexcept {
@@ -54,14 +58,10 @@ struct PairTerms {
   std::array<double, 6> curvature{};  // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
 };
 
-/// The same sums lane by lane, while blocks are added. The gradient and the curvature are half of PairTerms'.
-struct alignas(32) PairLaneSums {
-  using Lanes = std::array<float, PairBlock::kLanes>;
-  std::array<Lanes, kEnergyParts> energy{};
-  std::array<Lanes, 3> gradient{};
-  std::array<Lanes, 6> curvature{};
-
-  PairTerms total() const noexcept;
+/// Blocks that lie one after the other.
+struct PairRun {
+  const PairBlock* blocks;
+  int count;
 };
 
 /// A PairModel's numbers, as the loop needs them.
@@ -72,8 +72,9 @@ struct PairConstants {
   float cut2, from2, inverse_width;  // their squares; 1 / (cut2 - from2)
 };
 
-using AddPairs = void (*)(const PairBlock* blocks, int count, const PairConstants& constants, const PairOwn& own,
-                          PairLaneSums& sums) noexcept;
+/// The sums over the pairs of all runs, of `count` runs.
+using AddPairs = void (*)(const PairRun* runs, int count, const PairConstants& constants, const PairOwn& own,
+                          PairTerms& terms) noexcept;
 
 /// The gradient of each pair's energy with respect to the own atom's position (unit: kcal/mol/A).
 using PairGradients = std::array<Vec3, PairBlock::kLanes>;

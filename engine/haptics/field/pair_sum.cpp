@@ -21,6 +21,8 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
       places_(body_.size()),
       curvatures_(body_.size()),
       slopes_(body_.size()) {
+  root_depths_.reserve(atoms_.size());
+  for (const PairAtom& atom : atoms_) root_depths_.push_back(std::sqrt(atom.depth_kcal_mol));
   // No atom has more neighbours than there are atoms, nor than fit round the most crowded place. The latter is bounded
   // by twice a protein's density with all hydrogens, 0.1 atoms per cubic angstrom.
   const double reach = model_.cutoff_A + kMargin_A;
@@ -83,7 +85,7 @@ bool PairSum::append(List& list, std::size_t count) noexcept {
     const float away_A = std::sqrt(next.squared_A2);
     block.nearest_A = lane == 0 ? away_A : std::min(block.nearest_A, away_A);
     block.farthest_A = lane == 0 ? away_A : std::max(block.farthest_A, away_A);
-    block.set(lane, next.relative_A, atoms_[next.atom]);
+    block.set(lane, next.relative_A, atoms_[next.atom], root_depths_[next.atom]);
     chunk.atoms[at] = next.atom;
     ++list.atoms;
   }
@@ -100,7 +102,7 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
     const Vec3 relative = sphere.centre_A - centre;
     const double squared = glm::dot(relative, relative);
     if (squared > reach * reach) return true;
-    candidates_[count++] = {relative, float(squared), index};
+    candidates_[count++] = {glm::vec3(relative), float(squared), index};
     if (count < candidates_.size()) return true;
     list.whole = append(list, count);
     count = 0;
@@ -169,31 +171,39 @@ std::size_t PairSum::sceneForces(std::span<Vec3> forces, std::span<std::uint32_t
 }
 
 PairTerms PairSum::sum(std::size_t atom, AddPairs add) const noexcept {
-  PairLaneSums sums;
+  PairTerms terms;
   const List& list = lists_[atom];
   const Vec3& place = places_[atom];
   const PairOwn self = own(atom);
   if (list.whole) {
-    int left = (list.atoms + PairBlock::kLanes - 1) / PairBlock::kLanes;
-    for (std::int32_t k = list.first; k >= 0; k = chunks_[std::size_t(k)].next) {
-      add(chunks_[std::size_t(k)].blocks.data(), std::min(left, Chunk::kBlocks), constants_, self, sums);
-      left -= Chunk::kBlocks;
+    std::array<PairRun, 8> runs;
+    std::size_t count = 0;
+    std::int32_t k = list.first;
+    for (int left = (list.atoms + PairBlock::kLanes - 1) / PairBlock::kLanes; left > 0; left -= Chunk::kBlocks) {
+      const Chunk& chunk = chunks_[std::size_t(k)];
+      runs[count++] = {chunk.blocks.data(), std::min(left, Chunk::kBlocks)};
+      if (left > Chunk::kBlocks) k = chunk.next;  // read only if needed: it lies in a cache line of its own
+      if (count == runs.size() || left <= Chunk::kBlocks) {
+        add(runs.data(), int(count), constants_, self, terms);
+        count = 0;
+      }
     }
-    return sums.total();
+    return terms;
   }
   PairBlock block;
+  const PairRun one{&block, 1};
   int lane = 0;
   scene_->visitCentresNear(place, model_.cutoff_A, [&](std::uint32_t index, const Sphere& sphere) {
     block.set(lane++, sphere.centre_A - place, atoms_[index]);
     if (lane < PairBlock::kLanes) return;
-    add(&block, 1, constants_, self, sums);
+    add(&one, 1, constants_, self, terms);
     lane = 0;
   });
   if (lane > 0) {
     block.clear(lane);
-    add(&block, 1, constants_, self, sums);
+    add(&one, 1, constants_, self, terms);
   }
-  return sums.total();
+  return terms;
 }
 
 PairEnergy PairSum::at(const PoseA& pose) noexcept {

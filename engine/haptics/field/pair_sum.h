@@ -74,7 +74,7 @@ class PairSum {
 
   /// An atom of the scene for a list. Longer lists are sorted in parts.
   struct Candidate {
-    Vec3 relative_A;
+    glm::vec3 relative_A;
     float squared_A2;
     std::uint32_t atom;
   };
@@ -89,6 +89,7 @@ class PairSum {
 
   std::shared_ptr<const SphereGrid> scene_;
   std::vector<PairAtom> atoms_, body_;
+  std::vector<float> root_depths_;  // of atoms_
   PairModel model_;
   FeltFunction felt_;
   PairConstants constants_;
