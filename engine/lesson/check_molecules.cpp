@@ -6,6 +6,8 @@
 #include <unordered_set>
 
 #include "engine/dynamics/begin_simulation.h"
+#include "engine/dynamics/elastic_network.h"
+#include "engine/dynamics/normal_modes.h"
 #include "engine/dynamics/simulation_engines.h"
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
@@ -53,11 +55,12 @@ class Check {
         selects(step.scene.untouchable, places.untouchable, *molecule);
         selects(step.scene.remove, places.remove, *molecule);
         selects(step.scene.in_hand, places.in_hand, *molecule);
-        selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule));
+        selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule), true);
         holds(step.scene, *molecule);
         hasCharges(step.scene, *molecule);
         keepsUp(step.scene, *molecule);
         fitsInPage(step.scene, *molecule);
+        yields(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
           for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
@@ -75,10 +78,11 @@ class Check {
         const TaskKind* kind = findTaskKind(task.kind);
         const bool held = kind && kind->names_held;
         for (const auto& [key, value] : task.values) {
-          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable);
+          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable, true);
           for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i)
-            selects(value.path[i], value.places[i], *molecule, held ? std::vector<std::uint32_t>() : untouchable);
+            selects(value.path[i], value.places[i], *molecule, held ? std::vector<std::uint32_t>() : untouchable,
+                    !held);
         }
         std::vector<Problem> problems;
         if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
@@ -172,6 +176,21 @@ class Check {
                       tr("take a part of it, or have students use the desktop program"));
   }
 
+  /// The molecule must have an elastic network, and the motions that the scene names.
+  void yields(const SceneSpec& scene, const Molecule& molecule) {
+    if (!scene.elastic || findings_.enough()) return;
+    const auto network = ElasticNetwork::make(molecule, ElasticNetwork::kCutOff_A, heldAtoms(scene, molecule));
+    const Place place = network ? scene.places.modes : scene.places.elastic;
+    if (!place.line || !reported_.insert({"elastic " + scene.molecule.name, place.line, place.column}).second) return;
+    if (!network) return findings_.error(place, network.problem().message, network.problem().remedy);
+    const std::size_t count = std::min(kElasticModes, 3 * network->nodes().size() - 6);
+    if (scene.elastic_modes.empty() || scene.elastic_modes.back() < count) return;
+    findings_.error(place,
+                    trf("the molecule has {0} motions as an elastic network; there is no motion {1}", count,
+                        scene.elastic_modes.back() + 1),
+                    trf("write numbers from 1 to {0}, or leave 'modes' out", count));
+  }
+
   /// The file must contain the charges that the scene uses.
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
     if (scene.touch.charges == kFormalCharges && forceChoice(scene.touch.forces).feelsCharges() &&
@@ -223,7 +242,7 @@ class Check {
 
   /// Adds an error if it selects nothing, or for a task nothing touchable.
   void selects(const Selection& selection, Place place, const Molecule& molecule,
-               const std::vector<std::uint32_t>& untouchable = {}) {
+               const std::vector<std::uint32_t>& untouchable = {}, bool to_touch = false) {
     if (!selection.given() || findings_.enough()) return;
     // A scene that continues the previous one must not repeat its errors.
     if (!reported_.insert({selection.text(), place.line, place.column}).second) return;
@@ -232,6 +251,12 @@ class Check {
     if (atoms.empty()) {
       Problem why = selection.whyEmpty(molecule);
       findings_.error(at(why), std::move(why.message), std::move(why.remedy));
+      return;
+    }
+    const auto isPoint = [&](std::uint32_t atom) { return molecule.spheres[atom].radius_A == 0.0; };
+    if (to_touch && std::all_of(atoms.begin(), atoms.end(), isPoint)) {
+      findings_.error(place, tr("nothing of this can be touched: in the file these atoms have the radius 0"),
+                      tr("name other atoms, or give them a radius in the file"));
       return;
     }
     if (std::includes(untouchable.begin(), untouchable.end(), atoms.begin(), atoms.end())) {
