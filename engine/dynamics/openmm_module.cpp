@@ -247,9 +247,8 @@ class OpenMMEngine final : public MdEngine {
       }
     }
     if (measured_.empty()) throw std::runtime_error(why.empty() ? "no platform" : why);
-    const auto fastest = std::max_element(measured_.begin(), measured_.end(), [](const auto& a, const auto& b) {
-      return a.steps_per_s < b.steps_per_s;
-    });
+    const auto fastest = std::max_element(measured_.begin(), measured_.end(),
+                                          [](const auto& a, const auto& b) { return a.steps_per_s < b.steps_per_s; });
     open(fastest->platform);
     steps_per_s_ = fastest->steps_per_s;
   }

@@ -127,7 +127,7 @@ ReadText readerByContent(std::string_view text) {
 // Force fields give the radius 0 to some hydrogens (AMBER: those of hydroxyls), and to sites that are no atoms.
 void warnOfPoints(Molecule& molecule) {
   const auto points = std::size_t(std::count_if(molecule.spheres.begin(), molecule.spheres.end(),
-                                    [](const Sphere& s) { return s.radius_A == 0.0; }));
+                                                [](const Sphere& s) { return s.radius_A == 0.0; }));
   if (points == 0) return;
   std::vector<std::string> warnings = molecule.warnings.copy();
   warnings.push_back(trnf("{0} atom has the radius 0: it cannot be touched, and its charge acts.",

@@ -85,7 +85,8 @@ ServoRecording recordedHand(const char* ligand) {
 }
 
 struct Finer {
-  int judged = 0, off = 0;  // ticks in contact with moving spheres; those in which the two differ by more than the bound
+  int judged = 0,
+      off = 0;  // ticks in contact with moving spheres; those in which the two differ by more than the bound
   double worst_A = 0.0, worst_N = 0.0;  // the greatest difference of the spring, and of its force
   double step_N = 0.0;                  // the greatest change of the spring's force in a tick
 };
@@ -113,8 +114,7 @@ Finer againstFiner(const ServoRecording& recorded, const SphereGrid& spheres, In
     for (int k = 1; k <= kFiner; ++k) {
       const double share = double(k) / kFiner;
       if (phase->motion) moving.advanceTo(from + (phase->fraction - from) * share);
-      f = fine(start.hip.A + (now.hip.A - start.hip.A) * share,
-               glm::slerp(start.orientation, now.orientation, share));
+      f = fine(start.hip.A + (now.hip.A - start.hip.A) * share, glm::slerp(start.orientation, now.orientation, share));
     }
     if (now.contact.touching() && f.touching() && before && now.motion > 0) {
       ++out.judged;
@@ -124,13 +124,13 @@ Finer againstFiner(const ServoRecording& recorded, const SphereGrid& spheres, In
       out.worst_N = std::max(out.worst_N, N_per_A * apart_A);
       out.off += apart_A > bound_A;
       if (before->contact.touching())
-        out.step_N = std::max(out.step_N, N_per_A * glm::distance(now.contact.displacement_A,
-                                                                  before->contact.displacement_A));
+        out.step_N =
+            std::max(out.step_N, N_per_A * glm::distance(now.contact.displacement_A, before->contact.displacement_A));
     }
     before = now;
   }
-  MESSAGE(out.judged, " ticks judged, ", out.off, " apart by more than ", bound_A, " A, at most ", out.worst_A, " A and ",
-          out.worst_N, " N; greatest step of the force ", out.step_N, " N");
+  MESSAGE(out.judged, " ticks judged, ", out.off, " apart by more than ", bound_A, " A, at most ", out.worst_A,
+          " A and ", out.worst_N, " N; greatest step of the force ", out.step_N, " N");
   return out;
 }
 
@@ -192,15 +192,17 @@ TEST_CASE(
   const RecordedScene scene = recordedScene(recorded.labels, SharedArray<Sphere>(recorded.placed));
   REQUIRE(scene.body);
   ExactBody coarse(scene.spheres, scene.body), fine(scene.spheres, scene.body);
-  const Finer found = againstFiner(
-      recorded, *scene.spheres, coarse, fine, 0.02,
-      [&](const Vec3& hand, const Quat& orientation) { return fine.respond({{hand}, orientation}).contact; });
+  const Finer found =
+      againstFiner(recorded, *scene.spheres, coarse, fine, 0.02, [&](const Vec3& hand, const Quat& orientation) {
+        return fine.respond({{hand}, orientation}).contact;
+      });
   CHECK(found.judged > 1000);
   CHECK(found.off == 0);
 }
 
 TEST_CASE(
-    "with a device's probe, recorded: in each tick of a breathing protein the exact tracker's spring is within 0.02 A of "
+    "with a device's probe, recorded: in each tick of a breathing protein the exact tracker's spring is within 0.02 A "
+    "of "
     "that of the same hand and motion in steps eight times as fine, so that no force jumps beyond the motion's own") {
   const ServoRecording recorded = recordedHand("remove");
   const RecordedScene scene = recordedScene(recorded.labels, SharedArray<Sphere>(recorded.placed));

@@ -96,7 +96,8 @@ TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {
   CHECK(nlohmann::json::parse(place.run("info 1ubq --json").out)["atoms"] == 602);
 }
 
-TEST_CASE("info says how many atoms of a PQR file have the radius 0, and keeps them among its atoms and in its charge") {
+TEST_CASE(
+    "info says how many atoms of a PQR file have the radius 0, and keeps them among its atoms and in its charge") {
   const CommandPlace place;
   writeBytes(place / "ser.pqr",
              "ATOM 1 CB SER A 1 0 0 0 0.2117 1.908\nATOM 2 OG SER A 1 1.43 0 0 -0.6546 1.721\n"

@@ -406,17 +406,13 @@ void writeIonLesson(const fs::path& folder, const std::vector<IonFrame>& frames)
 }
 
 TEST_CASE(
-    "an ion that moves by 16 A through frames of which only the first and the last two state a cell does not leap: it is "
+    "an ion that moves by 16 A through frames of which only the first and the last two state a cell does not leap: it "
+    "is "
     "drawn at its full size in each picture") {
   const ScratchFolder scratch;
-  writeIonLesson(scratch.path, {{-8.0, true},
-                                {-4.8, false},
-                                {-1.6, false},
-                                {1.6, false},
-                                {4.8, false},
-                                {8.0, false},
-                                {8.0, true},
-                                {8.2, true}});
+  writeIonLesson(
+      scratch.path,
+      {{-8.0, true}, {-4.8, false}, {-1.6, false}, {1.6, false}, {4.8, false}, {8.0, false}, {8.0, true}, {8.2, true}});
   const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.ready());

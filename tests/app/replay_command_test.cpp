@@ -27,8 +27,8 @@ TEST_CASE(
   const CommandPlace place;
   writeBytes(place / "one.xyzr", kOneSphere);
   writeBytes(place / "hip.csv", "x,y,z\n0,0,5\n0,0.3,2.5\n0.1,0.3,2.4\n0,0,7\n");
-  const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") +
-                                      "' --out '" + (place / "trace.csv") + "' --stiffness 2");
+  const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --out '" +
+                            (place / "trace.csv") + "' --stiffness 2");
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const std::string text = contents(place / "trace.csv");
@@ -69,12 +69,13 @@ TEST_CASE(
   }
   writeBytes(place / "hip.csv", path);
   writeBytes(place / "pose.csv", turned);
-  REQUIRE(place.run("replay '" + (place / "scene.xyzr") + "' --path '" + (place / "hip.csv") +
-                              "' --probe 1.4 --stiffness 2 --out '" + (place / "probe.csv") + "'")
+  REQUIRE(place
+              .run("replay '" + (place / "scene.xyzr") + "' --path '" + (place / "hip.csv") +
+                   "' --probe 1.4 --stiffness 2 --out '" + (place / "probe.csv") + "'")
               .status == 0);
-  const Run run = place.run("replay --from-spheres '" + (place / "scene.csv") + "' '" + (place / "body.csv") +
-                                      "' --path '" + (place / "pose.csv") + "' --stiffness 2 --out '" +
-                                      (place / "bodied.csv") + "'");
+  const Run run =
+      place.run("replay --from-spheres '" + (place / "scene.csv") + "' '" + (place / "body.csv") + "' --path '" +
+                (place / "pose.csv") + "' --stiffness 2 --out '" + (place / "bodied.csv") + "'");
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const std::string text = contents(place / "bodied.csv");
@@ -115,8 +116,7 @@ TEST_CASE(
   writeBytes(place / "pose.csv", "x,y,z,qw,qx,qy,qz\n0,0,9,1,0,0,0\n0,0,4,1,0,0,0\n0,0,2.6,1,0,0,0\n");
   const std::string replay =
       "replay '" + (place / "three.xyzr") + "' --in-hand 'atom 1 or atom 2' --path '" + (place / "pose.csv") + "' ";
-  const Run run =
-      place.run(replay + "--stiffness 3 --rotational-stiffness 1e6 --out '" + (place / "out.csv") + "'");
+  const Run run = place.run(replay + "--stiffness 3 --rotational-stiffness 1e6 --out '" + (place / "out.csv") + "'");
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const auto out = csvRows(contents(place / "out.csv"));
@@ -131,13 +131,15 @@ TEST_CASE(
 
   // The spheres that it writes are those that are felt: the held ones 0.5 A smaller, and replayed alone they feel alike.
   const std::string files = "'" + (place / "scene.csv") + "' '" + (place / "body.csv") + "'";
-  REQUIRE(place.run(replay + "--stiffness 3 --rotational-stiffness 1e6 --out '" + (place / "out.csv") +
-                              "' --spheres " + files)
+  REQUIRE(place
+              .run(replay + "--stiffness 3 --rotational-stiffness 1e6 --out '" + (place / "out.csv") + "' --spheres " +
+                   files)
               .status == 0);
   CHECK(contents(place / "scene.csv") == "x,y,z,r\n1.5,0,0,2\n");
   CHECK(contents(place / "body.csv") == "x,y,z,r\n-1.5,0,0,1\n1.5,0,0,1\n");
-  REQUIRE(place.run("replay --from-spheres " + files + " --path '" + (place / "pose.csv") +
-                              "' --stiffness 3 --rotational-stiffness 1e6 --out '" + (place / "again.csv") + "'")
+  REQUIRE(place
+              .run("replay --from-spheres " + files + " --path '" + (place / "pose.csv") +
+                   "' --stiffness 3 --rotational-stiffness 1e6 --out '" + (place / "again.csv") + "'")
               .status == 0);
   CHECK(contents(place / "again.csv") == contents(place / "out.csv"));
   CHECK(place.run(replay + "--time --spheres '" + (place / "pose.csv") + "' x.csv").status == 1);  // an input
@@ -153,8 +155,9 @@ TEST_CASE(
   CHECK(place.run("replay --from-spheres a.csv b.csv --remove 'atom 1'" + path).status == 2);
   CHECK(place.run("replay '" + (place / "three.xyzr") + "' --spheres a.csv b.csv" + path).status == 2);
   CHECK(place.run("replay '" + (place / "three.xyzr") + "' --in-hand 'atom 9'" + path).status == 2);
-  CHECK(place.run("replay '" + (place / "three.xyzr") + "' --in-hand 'atom 1' --rotational-stiffness -1" + path)
-            .status == 2);
+  CHECK(
+      place.run("replay '" + (place / "three.xyzr") + "' --in-hand 'atom 1' --rotational-stiffness -1" + path).status ==
+      2);
 }
 
 TEST_CASE("broken poses and lists of spheres end with 1 and name file, line, column and what would mend it") {
@@ -176,7 +179,7 @@ TEST_CASE("broken poses and lists of spheres end with 1 and name file, line, col
   };
   const auto replay = [&](const std::string& scene, const std::string& body, const std::string& path) {
     return place.run("replay --from-spheres '" + (place / scene) + "' '" + (place / body) + "' --path '" +
-                               (place / path) + "' --out '" + (place / "t.csv") + "'");
+                     (place / path) + "' --out '" + (place / "t.csv") + "'");
   };
   for (const auto& one : poses) {
     writeBytes(place / "pose.csv", one.text);
@@ -221,8 +224,7 @@ TEST_CASE(
   std::string path = "x,y,z\n";
   for (int k = 0; k < 2000; ++k) path += "0,0," + std::to_string(5.0 - 0.0015 * k) + "\n";
   writeBytes(place / "hip.csv", path);
-  const Run run =
-      place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --time");
+  const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --time");
   REQUIRE(run.status == 0);
   const auto json = nlohmann::json::parse(run.out);
   CHECK(json["ticks"] == 2000);
@@ -236,8 +238,8 @@ TEST_CASE("replay says on stderr that the HIP starts inside and that a place was
   const CommandPlace place;
   writeBytes(place / "one.xyzr", kOneSphere);
   writeBytes(place / "hip.csv", "x,y,z\n0,0,1\n0,0,1.1\n0,0,4\n0,0,2.5\nnan,0,0\n0,0,2.4\n");
-  const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") +
-                                      "' --out '" + (place / "t.csv") + "'");
+  const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --out '" +
+                            (place / "t.csv") + "'");
   REQUIRE(run.status == 0);
   CHECK(run.err.find("starts inside the molecule: no force for the first 2 ticks") != std::string::npos);
   CHECK(run.err.find("1 places were not finite") != std::string::npos);
@@ -267,8 +269,8 @@ TEST_CASE("a broken path file ends with 1 and names file, line, column and what 
   };
   for (const auto& one : cases) {
     writeBytes(place / "hip.csv", one.text);
-    const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") +
-                                        "' --out '" + (place / "t.csv") + "'");
+    const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --out '" +
+                              (place / "t.csv") + "'");
     CAPTURE(run.err);
     CHECK(run.status == 1);
     CHECK(run.out.empty());
@@ -297,8 +299,7 @@ TEST_CASE("a path file that is a device, a pipe, a folder or larger than 1 GiB i
   };
   for (const auto& one : cases) {
     // A pipe that is read would block for ever.
-    const Run run =
-        place.run("replay '" + (place / "one.xyzr") + "' --time --path '" + one.path + "'", "timeout 60 ");
+    const Run run = place.run("replay '" + (place / "one.xyzr") + "' --time --path '" + one.path + "'", "timeout 60 ");
     CHECK(run.status == 1);
     CHECK(run.err == "moltact: " + one.path + ": " + one.says + "\n");
   }
@@ -331,8 +332,8 @@ TEST_CASE("a path file may begin with a byte order mark and have blanks around i
   writeBytes(place / "one.xyzr", kOneSphere);
   const auto trace = [&](const std::string& text) {
     writeBytes(place / "hip.csv", text);
-    const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") +
-                                        "' --out '" + (place / "t.csv") + "'");
+    const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --out '" +
+                              (place / "t.csv") + "'");
     CAPTURE(run.err);
     CHECK(run.status == 0);
     return contents(place / "t.csv");
@@ -343,11 +344,9 @@ TEST_CASE("a path file may begin with a byte order mark and have blanks around i
   CHECK(trace("x,y,z\n+0,+1,+5.0\n0,-2.5,+1e0\n") == plain);
   for (const char* row : {"+,1,2", "+-1,1,2", "++1,1,2", "+ 1,1,2"}) {
     writeBytes(place / "hip.csv", std::string("x,y,z\n") + row + "\n");
-    const Run run =
-        place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --time");
+    const Run run = place.run("replay '" + (place / "one.xyzr") + "' --path '" + (place / "hip.csv") + "' --time");
     CAPTURE(row);
     CHECK(run.status == 1);
     CHECK(run.err.find("a number was expected here") != std::string::npos);
   }
 }
-

@@ -56,7 +56,7 @@ Turns ledRound(MdEngine& engine, std::size_t atom, double spring, int late_steps
     in_step = 0;
     const AtomPush grip{std::uint32_t(atom), taken + hand, Vec3(0.0), spring};
     REQUIRE(engine.push(std::array{grip}).empty());
-        REQUIRE(engine.advance(int(std::lround(kFeltStep_s * kSimulated_ps_per_s / engine.step_ps()))).empty());
+    REQUIRE(engine.advance(int(std::lround(kFeltStep_s * kSimulated_ps_per_s / engine.step_ps()))).empty());
     smooth += feltShare(kFeltStep_s) * (engine.positions_A()[atom] - smooth);
     late.push_back(smooth);
     felt_from = felt_to;

@@ -254,9 +254,8 @@ TEST_CASE(
   if (!chosen) return;
   const auto measured = chosen->measured();
   REQUIRE_FALSE(measured.empty());
-  const auto fastest = std::max_element(measured.begin(), measured.end(), [](const auto& a, const auto& b) {
-    return a.steps_per_s < b.steps_per_s;
-  });
+  const auto fastest = std::max_element(measured.begin(), measured.end(),
+                                        [](const auto& a, const auto& b) { return a.steps_per_s < b.steps_per_s; });
   CHECK(fastest->platform == chosen->platform());
   CHECK(fastest->steps_per_s == chosen->measured_steps_per_s());
   CHECK(chosen->measured_steps_per_s() > 0.0);

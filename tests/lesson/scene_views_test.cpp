@@ -252,9 +252,10 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
             "3', or 'all'"});
   // Five nodes have 3 n - 6 = 9 motions.
   CHECK(scene("elastic: on\nmodes: 1, 9\n").empty());
-  CHECK(scene("elastic: on\nmodes: 1, 10\n") ==
-        Texts{"l.md:13:8: the molecule has 9 motions as an elastic network; there is no motion 10; write numbers from 1 "
-              "to 9, or leave 'modes' out"});
+  CHECK(
+      scene("elastic: on\nmodes: 1, 10\n") ==
+      Texts{"l.md:13:8: the molecule has 9 motions as an elastic network; there is no motion 10; write numbers from 1 "
+            "to 9, or leave 'modes' out"});
   // Two residues in the hand leave three nodes, which have none.
   CHECK(scene("elastic: on\nin-hand: residue 4 5\n") ==
         Texts{"l.md:12:10: mix has too few residues for an elastic network: 3; take a molecule of at least 4"});

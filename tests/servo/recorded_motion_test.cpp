@@ -106,7 +106,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a sphere that shrinks to nothing, is elsewhere and grows there is recorded in at most 32 bytes a sphere and piece, "
+    "a sphere that shrinks to nothing, is elsewhere and grows there is recorded in at most 32 bytes a sphere and "
+    "piece, "
     "and its motions are reconstructed to the last bit, felt as they were") {
   const std::vector<Sphere> here{{{0.1, 0, 0}, 1.7}, {{6.2, 0, 0}, 1.6}};
   std::vector<Sphere> shrunk = here, away = here, grows = here;

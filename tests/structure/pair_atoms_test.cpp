@@ -212,7 +212,8 @@ TEST_CASE("an atom of an unknown element is noted by its residue; its charge is 
 }
 
 TEST_CASE(
-    "a hydroxyl's hydrogen of radius 0, as AMBER's PQR files have it, cannot be touched, and its charge acts; taken out of "
+    "a hydroxyl's hydrogen of radius 0, as AMBER's PQR files have it, cannot be touched, and its charge acts; taken "
+    "out of "
     "the scene it does not") {
   const Molecule m = test::moleculeOf(
       "ATOM 1 CB SER A 1 0 0 0 0.2117 1.908\nATOM 2 OG SER A 1 1.43 0 0 -0.6546 1.721\n"

@@ -30,7 +30,7 @@ struct Played {
   ExactTracker tracker;
   std::unique_ptr<const SphereMotion> motion;
   Vec3 hand;
-  int ticks;  // of a piece
+  int ticks;                              // of a piece
   double greatest_A = 0.0, last_A = 0.0;  // displacement of the SCP from the hand: so far, and in the last tick
   bool touching = false;
   std::vector<Sphere> now;
