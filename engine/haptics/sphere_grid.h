@@ -25,8 +25,8 @@ class SphereGrid {
   /// The treatment of spheres with equal centre and radius: visit only the first in the file, or each.
   enum class Duplicates : std::uint8_t { KeepFirst, VisitEach };
 
-  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check files).
-  /// A sphere of radius 0 is a point without a surface: no visit finds it.
+  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted). A sphere of radius
+  /// 0 is a point without a surface: no visit finds it.
   explicit SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates = Duplicates::KeepFirst);
   /// The same with untouchable spheres, given by index in any order; indices out of range are ignored. They keep their
   /// indices and positions, but no visit finds them and the bounding box excludes them, so they exert no force.

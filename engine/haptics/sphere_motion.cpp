@@ -98,10 +98,7 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::vector<Mov
   std::unique_ptr<SphereMotion> made(new SphereMotion(std::move(spheres), std::move(bounds), not_felt, ticks, max_A));
   made->untouchable_.assign(untouchable.begin(), untouchable.end());
   // Lists of near spheres outlast a motion only if the same ones are felt.
-  if (before) {
-    made->follows_ = before->serial_;
-    made->same_felt_ = not_felt == before->bounds_.untouchable();
-  }
+  if (before && not_felt == before->bounds_.untouchable()) made->continues_ = before->serial_;
   return std::unique_ptr<const SphereMotion>(std::move(made));
 }
 

@@ -30,15 +30,13 @@ class SphereMotion {
   static Expected<std::unique_ptr<const SphereMotion>> after(const SphereMotion& before, std::span<const Sphere> to,
                                                              int ticks);
   struct Moving;
-  /// Creates a motion from what operator[] returned, identical to the last bit; `before` is the motion that it follows
+  /// Creates a motion from what operator[] returned, identical to the last bit; `before` is the motion that it continues
   /// (null: none).
   static Expected<std::unique_ptr<const SphereMotion>> make(std::vector<Moving> spheres, int ticks,
                                                             std::span<const std::uint32_t> untouchable,
                                                             const SphereMotion* before);
-  /// True if this motion was created by after(other, ...): it starts where the other ends, to the last bit.
-  bool follows(const SphereMotion& other) const { return follows_ == other.serial_; }
-  /// True if it follows the other, and the same spheres are felt.
-  bool continues(const SphereMotion& other) const { return same_felt_ && follows(other); }
+  /// True if this motion was created by after(other, ...), and the same spheres are felt.
+  bool continues(const SphereMotion& other) const { return continues_ == other.serial_; }
   /// Upper bound of the motion of the surface of any sphere but those that are gone.
   double maxMotion_A() const { return max_motion_; }
 
@@ -76,8 +74,7 @@ class SphereMotion {
   std::vector<std::uint32_t> untouchable_;  // of the scene; bounds_ has also those that are gone
   int ticks_;
   double max_motion_;
-  std::uint64_t serial_, follows_ = 0;  // of this motion and of its predecessor; 0: none
-  bool same_felt_ = false;              // as in its predecessor
+  std::uint64_t serial_, continues_ = 0;  // of this motion and of its predecessor; 0: none
 };
 
 }  // namespace moltact

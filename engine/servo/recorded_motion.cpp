@@ -16,12 +16,25 @@ void sphereFields(Each& each, S& sphere) {
   each(sphere.radius_A);
 }
 
+// Whether the motion starts at the end of the other, to the last bit, and what MotionReplay then makes of it continues the
+// other if this one does.
+bool startsAtEndOf(const SphereMotion& motion, const SphereMotion& before) {
+  if (motion.continues(before)) return true;
+  if (motion.size() != before.size() || motion.sweptSpheres().untouchable() == before.sweptSpheres().untouchable())
+    return false;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const Sphere &from = motion[i].from, end = before[i].at(1.0);
+    if (from.centre_A != end.centre_A || from.radius_A != end.radius_A) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 RecordedMotion recordedMotion(const SphereMotion& motion, const SphereMotion* before) {
   RecordedMotion out;
   out.ticks = motion.ticks();
-  const bool follows = before && motion.follows(*before);
+  const bool follows = before && startsAtEndOf(motion, *before);
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const SphereMotion::Moving& s = motion[i];
     if (!follows) out.from.push_back(s.from);
