@@ -60,11 +60,11 @@ TEST_CASE(
   writeBytes(place / "body.csv", "x,y,z,r\n0,0,0,1.4\n");
   std::string path = "x,y,z\n", turned = "x,y,z,qw,qx,qy,qz\n";
   for (int k = 0; k < 400; ++k) {
-    const std::string place = std::to_string(0.01 * k - 1.0) + "," + std::to_string(0.2 + 0.001 * k) + "," +
-                              std::to_string(4.0 - 0.006 * std::min(k, 300));
-    path += place + "\n";
+    const std::string at = std::to_string(0.01 * k - 1.0) + "," + std::to_string(0.2 + 0.001 * k) + "," +
+                           std::to_string(4.0 - 0.006 * std::min(k, 300));
+    path += at + "\n";
     // The quaternion has length 2; the program normalizes it.
-    turned += place + "," + std::to_string(2.0 * std::cos(0.005 * k)) + ",0,0," +
+    turned += at + "," + std::to_string(2.0 * std::cos(0.005 * k)) + ",0,0," +
               std::to_string(2.0 * std::sin(0.005 * k)) + "\n";
   }
   writeBytes(place / "hip.csv", path);
