@@ -16,7 +16,7 @@
 #include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/methods.h"
-#include "tests/app/small_window.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -25,6 +25,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kShift_A = 0.5;
+
+ScriptedUser::Options small(const fs::path& folder) {
+  ScriptedUser::Options options;
+  options.width = 1000;
+  options.height = 600;
+  options.application.attempts_folder = folder;
+  return options;
+}
 
 /// A molecule of the library, shifted along z from model to model by `steps` times kShift_A; or its last atom alone.
 void writeModels(
@@ -71,7 +79,7 @@ TEST_CASE(
   writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nframes: 2-9\nspeed: 4\n"));
   fs::path file;
   {
-    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
+    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
     const PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
     REQUIRE(trajectory.ready());
     CHECK(trajectory.frames() == 12);
@@ -111,7 +119,7 @@ TEST_CASE(
     }
   CHECK(count > 15);
   REQUIRE(last);
-  const auto user = startWith("benzene", smallWindow({}));
+  const auto user = startWith("benzene", small({}));
   user->app().open(file);
   user->app().finishLoading();
   Playback& playback = user->app().extensions().playback;
@@ -130,7 +138,7 @@ TEST_CASE(
   const fs::path file = scratch.path / "hand.recording";
   std::vector<double> shifts;
   {
-    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
+    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
     REQUIRE(user->app().extensions().movers.get<PlayedTrajectory>().ready());
     user->app().extensions().device.choose("simulated");
     user->frames(60);
@@ -165,7 +173,7 @@ TEST_CASE(
   CHECK(result.motion_unknown == 0);
   CHECK_FALSE(result.first_difference);
 
-  const auto user = startWith("benzene", smallWindow({}));
+  const auto user = startWith("benzene", small({}));
   user->app().open(file);
   user->app().finishLoading();
   const HandRecorder& player = user->app().extensions().hand_recorder;
@@ -190,7 +198,7 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 30);
   // A window opens a PDB file as a molecule.
-  const auto user = startWith("benzene", smallWindow({}));
+  const auto user = startWith("benzene", small({}));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.open(FileKind::Trajectory, scratch.path / "shift.pdb"));
   user->frames(4);
@@ -211,7 +219,7 @@ TEST_CASE(
 TEST_CASE("an elastic molecule gives the atoms to a trajectory that is opened, and does not take them back") {
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 12, "1ubq.pdb");
-  const auto user = startWith("1ubq", smallWindow({}));
+  const auto user = startWith("1ubq", small({}));
   ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
   elastic.start();
   for (int k = 0; k < 600 && !elastic.owns(); ++k) user->frames(1);
@@ -234,7 +242,7 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 9);
   writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
-  ScriptedUser::Options options = smallWindow(scratch.path);
+  ScriptedUser::Options options = small(scratch.path);
   options.width = 1280;
   options.height = 1000;
   const auto user = startWith((scratch.path / "mine.md").string(), options);
@@ -330,7 +338,7 @@ TEST_CASE("smoothed by two frames, a zigzag of 0.5 A shows the mean of five fram
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 9, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : 0.0; });
   writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
-  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
+  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.ready());
   trajectory.goTo(4.0);
@@ -347,7 +355,7 @@ TEST_CASE(
   // Superposed: the ring is at rest but for one hydrogen, which swings by 0.5 A.
   writeModels(
       scratch.path / "shift.pdb", 8, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : -1.0; }, true);
-  const auto user = startWith("benzene", smallWindow({}));
+  const auto user = startWith("benzene", small({}));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.open(FileKind::Trajectory, scratch.path / "shift.pdb"));
   SceneLook& look = user->app().scene.look;
@@ -400,7 +408,7 @@ TEST_CASE(
   writeFile(scratch.path / "mine.md",
             "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: box\nauthor: A\nlicence: L\n---\n## One\n```scene\n"
             "molecule: box\ntrajectory: run.pdb, not superposed\nspeed: 4\n```\nText.\n");
-  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
+  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.ready());
   trajectory.at_end = PlayedTrajectory::AtEnd::Stop;
@@ -439,13 +447,13 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 3);
   {
-    const auto user = startWith("", smallWindow({}));
+    const auto user = startWith("", small({}));
     writeFile(scratch.path / "a.xtc", std::string(200, 'x'));
     user->app().open(scratch.path / "a.xtc");
     user->frames(2);
     CHECK(contains(user->app().messages.all().back().text, "Open the structure first"));
   }
-  const auto user = startWith("1ubq", smallWindow({}));
+  const auto user = startWith("1ubq", small({}));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   user->app().open(scratch.path / "a.xtc");
   user->frames(2);
