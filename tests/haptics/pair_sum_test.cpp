@@ -389,11 +389,12 @@ TEST_CASE("the loop for this processor gives the bits of the plain one, in 3 die
   for (const Dielectric kind : {Dielectric::Constant, Dielectric::Distance, Dielectric::MehlerSolmajer}) {
     const PairConstants constants(unbounded(kind));
     PairTerms one, other;
+    const PairRun all{blocks.data(), 300};
     const PairOwn own({.half_minimum_A = 1.9f, .depth_kcal_mol = 0.09f, .charge_e = 0.4f}, Vec3(0.1, 0.2, 0.3));
     for (const auto loop : {&PairKernel::slope, &PairKernel::curvature}) {
       one = other = {};
-      (pairKernel(kind).*loop)(blocks.data(), 300, constants, own, one);
-      (plainPairKernel(kind).*loop)(blocks.data(), 300, constants, own, other);
+      (pairKernel(kind).*loop)(&all, 1, constants, own, one);
+      (plainPairKernel(kind).*loop)(&all, 1, constants, own, other);
       CHECK(std::memcmp(&one, &other, sizeof one) == 0);
     }
     CHECK(std::isfinite(one.energy[EnergyPart::Electrostatic]));
