@@ -9,12 +9,6 @@
 #include "engine/haptics/tracker.h"
 
 namespace moltact {
-namespace {
-
-// Values of SphereGrid::untouchable_: given as untouchable, or of radius 0.
-constexpr std::uint8_t kGiven = 1, kPoint = 2;
-
-}  // namespace
 
 SphereGrid::SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates)
     : SphereGrid(std::move(spheres), std::span<const std::uint32_t>{}, duplicates) {}
@@ -23,15 +17,12 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
     : spheres_(std::move(spheres)) {
   std::size_t felt = spheres_.size();
   std::vector<std::uint8_t> marked;
-  const auto mark = [&](std::size_t i, std::uint8_t as) {
+  for (const std::uint32_t i : untouchable) {
+    if (i >= spheres_.size()) continue;
     if (marked.empty()) marked.resize(spheres_.size());
     felt -= marked[i] ? 0 : 1;
-    marked[i] = as;
-  };
-  for (std::size_t i = 0; i < spheres_.size(); ++i)
-    if (spheres_[i].radius_A == 0.0) mark(i, kPoint);
-  for (const std::uint32_t i : untouchable)
-    if (i < spheres_.size()) mark(i, kGiven);
+    marked[i] = 1;
+  }
   untouchable_ = std::move(marked);
   if (felt == 0) {
     cells_ = std::vector<Cell>(16);
@@ -231,7 +222,7 @@ void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end, std::vector<Tr
 std::vector<std::uint32_t> SphereGrid::untouchable() const {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 0; i < untouchable_.size(); ++i)
-    if (untouchable_[i] == kGiven) out.push_back(i);
+    if (untouchable_[i]) out.push_back(i);
   return out;
 }
 

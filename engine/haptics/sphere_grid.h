@@ -25,8 +25,8 @@ class SphereGrid {
   /// The treatment of spheres with equal centre and radius: visit only the first in the file, or each.
   enum class Duplicates : std::uint8_t { KeepFirst, VisitEach };
 
-  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted). A sphere of radius
-  /// 0 is a point without a surface: no visit finds it.
+  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
+  /// files).
   explicit SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates = Duplicates::KeepFirst);
   /// The same with untouchable spheres, given by index in any order; indices out of range are ignored. They keep their
   /// indices and positions, but no visit finds them and the bounding box excludes them, so they exert no force.
@@ -44,9 +44,9 @@ class SphereGrid {
   std::size_t size() const { return spheres_.size(); }
   /// True if sphere `i` can be felt. `i` must be in range.
   bool touchable(std::size_t i) const { return untouchable_.empty() || !untouchable_[i]; }
-  /// True if at least one sphere is not felt: given as untouchable, or of radius 0.
+  /// True if at least one sphere is untouchable: drawn but not felt.
   bool hasUntouchable() const { return !untouchable_.empty(); }
-  /// The indices of the spheres given as untouchable, ascending.
+  /// The indices of the untouchable spheres, ascending.
   std::vector<std::uint32_t> untouchable() const;
 
   /// The bounding box of all centres, widened by the largest radius. Both corners are zero without touchable spheres.
@@ -206,7 +206,7 @@ class SphereGrid {
   void makeTree(std::uint32_t begin, std::uint32_t end, std::vector<TreeNode>& nodes, std::vector<CellTree>& trees);
 
   SharedArray<Sphere> spheres_;
-  SharedArray<std::uint8_t> untouchable_;  // one value per sphere, 0: felt; empty: all are felt
+  SharedArray<std::uint8_t> untouchable_;  // one flag per sphere; empty: none is untouchable
   std::vector<Sorted> sorted_;             // by cell, the cells along x, then y, then z: neighbours are near in memory
   std::uint32_t large_from_ = 0;      // start of the few spheres much larger than the rest, which every visit tests
   SharedArray<TreeNode> tree_nodes_;  // trees in preorder

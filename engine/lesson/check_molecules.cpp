@@ -55,7 +55,7 @@ class Check {
         selects(step.scene.untouchable, places.untouchable, *molecule);
         selects(step.scene.remove, places.remove, *molecule);
         selects(step.scene.in_hand, places.in_hand, *molecule);
-        selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule), true);
+        selects(step.scene.pulled, places.pull, *molecule, untouchableAtoms(step.scene, *molecule));
         holds(step.scene, *molecule);
         hasCharges(step.scene, *molecule);
         keepsUp(step.scene, *molecule);
@@ -78,11 +78,10 @@ class Check {
         const TaskKind* kind = findTaskKind(task.kind);
         const bool held = kind && kind->names_held;
         for (const auto& [key, value] : task.values) {
-          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable, true);
+          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable);
           for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i)
-            selects(value.path[i], value.places[i], *molecule, held ? std::vector<std::uint32_t>() : untouchable,
-                    !held);
+            selects(value.path[i], value.places[i], *molecule, held ? std::vector<std::uint32_t>() : untouchable);
         }
         std::vector<Problem> problems;
         if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
@@ -242,7 +241,7 @@ class Check {
 
   /// Adds an error if it selects nothing, or for a task nothing touchable.
   void selects(const Selection& selection, Place place, const Molecule& molecule,
-               const std::vector<std::uint32_t>& untouchable = {}, bool to_touch = false) {
+               const std::vector<std::uint32_t>& untouchable = {}) {
     if (!selection.given() || findings_.enough()) return;
     // A scene that continues the previous one must not repeat its errors.
     if (!reported_.insert({selection.text(), place.line, place.column}).second) return;
@@ -251,12 +250,6 @@ class Check {
     if (atoms.empty()) {
       Problem why = selection.whyEmpty(molecule);
       findings_.error(at(why), std::move(why.message), std::move(why.remedy));
-      return;
-    }
-    const auto isPoint = [&](std::uint32_t atom) { return molecule.spheres[atom].radius_A == 0.0; };
-    if (to_touch && std::all_of(atoms.begin(), atoms.end(), isPoint)) {
-      findings_.error(place, tr("nothing of this can be touched: in the file these atoms have the radius 0"),
-                      tr("name other atoms, or give them a radius in the file"));
       return;
     }
     if (std::includes(untouchable.begin(), untouchable.end(), atoms.begin(), atoms.end())) {

@@ -124,18 +124,6 @@ ReadText readerByContent(std::string_view text) {
   return looksLikeXyzr(head) ? readXyzr : nullptr;
 }
 
-// Force fields give the radius 0 to some hydrogens (AMBER: those of hydroxyls), and to sites that are no atoms.
-void warnOfPoints(Molecule& molecule) {
-  const auto points = std::size_t(std::count_if(molecule.spheres.begin(), molecule.spheres.end(),
-                                                [](const Sphere& s) { return s.radius_A == 0.0; }));
-  if (points == 0) return;
-  std::vector<std::string> warnings = molecule.warnings.copy();
-  warnings.push_back(trnf("{0} atom has the radius 0: it cannot be touched, and its charge acts.",
-                          "{0} atoms have the radius 0: they cannot be touched, and their charges act.", points,
-                          points));
-  molecule.warnings = std::move(warnings);
-}
-
 Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string& file = text.file();
   const Problem empty{file, 0, 0, tr("the file is empty"), tr("copy or download it again")};
@@ -158,7 +146,6 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   if (text.problem()) return *text.problem();
   if (!molecule && text.number() > 0 && text.blank()) return empty;
   if (molecule && molecule->id.empty()) molecule->id = inner.stem().string();
-  if (molecule) warnOfPoints(*molecule);
   return molecule;
 }
 

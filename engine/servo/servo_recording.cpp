@@ -419,8 +419,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
 
 std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const HeldBody* body) {
   std::map<std::string, std::string> labels{{"balls", fingerprint(scene)}};
-  if (const auto untouchable = scene.untouchable(); !untouchable.empty())
-    labels["untouchable"] = rangesText(untouchable);
+  if (scene.hasUntouchable()) labels["untouchable"] = rangesText(scene.untouchable());
   if (body) labels["held"] = rangesText(body->atoms);
   if (body && body->overlap_A != kBodyOverlap_A)
     labels[kOverlapLabel] = std::to_string(std::lround(body->overlap_A * kMilliPerUnit));

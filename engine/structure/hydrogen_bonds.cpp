@@ -145,12 +145,11 @@ HeldHydrogenBonds::HeldHydrogenBonds(const Molecule& m, const SphereGrid& sphere
     : grid_(std::vector<Sphere>()) {
   const BondTable bonds(m.atoms.size(), findBonds(m));
   std::vector<Sphere> places;
-  const std::vector<std::uint32_t> left_out = spheres.untouchable();
   for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
     if (!isPolar(m.atoms[i])) continue;
     const auto of_body = std::lower_bound(body.atoms.begin(), body.atoms.end(), i);
     const bool held = of_body != body.atoms.end() && *of_body == i;
-    if (!held && std::binary_search(left_out.begin(), left_out.end(), i)) continue;
+    if (!held && !spheres.touchable(i)) continue;
     const Role role = roleOf(m, bonds, i);
     if (!role.gives && !role.takes) continue;
     // A body's atoms keep the places of the file relative to each other.
@@ -160,7 +159,7 @@ HeldHydrogenBonds::HeldHydrogenBonds(const Molecule& m, const SphereGrid& sphere
     Polar polar{.atom = i, .gives = role.gives, .takes = role.takes, .place_A = placeOf(i), .neighbours = {}};
     for (const std::uint32_t n : bonds.neighbours(i))
       if (m.atoms[n].atomic_number != kHydrogen) polar.neighbours.push_back(placeOf(n));
-    if (!held) places.push_back({polar.place_A, 1.0});
+    if (!held) places.push_back({polar.place_A, 0.0});
     (held ? body_ : scene_).push_back(std::move(polar));
   }
   grid_ = SphereGrid(std::move(places), SphereGrid::Duplicates::VisitEach);

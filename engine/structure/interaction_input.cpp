@@ -34,9 +34,6 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
   out->model.kind = medium.kind;
   out->model.dielectric = medium.dielectric;
   out->model.weak_gain = touch.weak_gain;
-  // Atoms of radius 0 cannot be touched, but their charges act.
-  std::vector<char> left_out(molecule.atoms.size());
-  for (const std::uint32_t i : spheres.untouchable()) left_out[i] = 1;
   std::vector<Sphere> places;
   const auto selected = [&](PairAtom atom) {
     for (const EnergyPartInfo& part : energyParts())
@@ -50,7 +47,7 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
       atom.centre_A -= body->middle.A;
       out->held.push_back(atom);
       out->held_carriers.push_back(held[carrier]);
-    } else if (!left_out[carrier]) {
+    } else if (spheres.touchable(carrier)) {
       atom.centre_A += spheres[carrier].centre_A - molecule.spheres[carrier].centre_A;
       out->carriers.push_back(carrier);
       out->atoms.push_back(atom);

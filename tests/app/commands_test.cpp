@@ -97,20 +97,6 @@ TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {
 }
 
 TEST_CASE(
-    "info says how many atoms of a PQR file have the radius 0, and keeps them among its atoms and in its charge") {
-  const CommandPlace place;
-  writeBytes(place / "ser.pqr",
-             "ATOM 1 CB SER A 1 0 0 0 0.2117 1.908\nATOM 2 OG SER A 1 1.43 0 0 -0.6546 1.721\n"
-             "ATOM 3 HG SER A 1 1.75 0.9 0 0.4275 0.000\n");
-  const std::string text = place.run("info ser.pqr").out;
-  CHECK(text.find("atoms     3\n") != std::string::npos);
-  CHECK(text.find("charge    -0.015 e\n") != std::string::npos);
-  CHECK(text.find("note      1 atom has the radius 0: it cannot be touched, and its charge acts.\n") !=
-        std::string::npos);
-  CHECK(nlohmann::json::parse(place.run("info ser.pqr --json").out)["warnings"].size() == 1);
-}
-
-TEST_CASE(
     "info --charges of 1HPV: 4 e, 336 placed hydrogens, the proton of histidine 69 on ND1, a net charge of 0 for "
     "amprenavir") {
   const CommandPlace place;

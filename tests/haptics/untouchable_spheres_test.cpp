@@ -82,28 +82,6 @@ TEST_CASE("the box of a scene counts no untouchable sphere, a sweep meets none, 
   CHECK_FALSE(SphereGrid(kPair).hasUntouchable());
 }
 
-TEST_CASE(
-    "a sphere of radius 0 has no surface: every method's probe passes through it and rests on the other sphere by its "
-    "index; it is no untouchable one of the scene, and no box counts it") {
-  const std::vector<Sphere> spheres{{{0, 0, 0}, 0.0}, {{6, 0, 0}, 1.6}};
-  for (const Method& method : benchMethods()) {
-    CAPTURE(std::string(method.name));
-    const auto tracker = method.make(without(spheres, {}), 1.4);
-    for (int k = 0; k <= 60; ++k) REQUIRE_FALSE(tracker->step({{0.0, 0.0, 6.0 - 0.2 * k}}).touching());
-    const Contact other = test::walkTo(*tracker, {6, 0, 6}, {6, 0, 2.5}, 0.05);
-    REQUIRE(other.touching());
-    CHECK(other.atoms[0] == 1);
-  }
-  const SphereGrid grid(spheres);
-  CHECK_FALSE(grid.touchable(0));
-  CHECK(grid.touchable(1));
-  CHECK(grid.hasUntouchable());
-  CHECK(grid.untouchable().empty());
-  CHECK(grid.low_A().x == doctest::Approx(4.4));
-  CHECK(without(spheres, {0})->untouchable() == std::vector<std::uint32_t>{0});
-  CHECK(sweep(SphereGrid({{{0, 0, 0}, 0.0}}), 1.4, {0, 0, 9}, {0, 0, -9}).sphere == -1);
-}
-
 TEST_CASE("an untouchable sphere that moves through a still probe is not felt on its way, nor in the motion after it") {
   const auto tracker = findMethod("exact")->make(without(kPair, {0}), 1.4);
   const PointA still{{-5, 0, 0}};

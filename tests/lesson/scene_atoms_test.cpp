@@ -58,28 +58,6 @@ TEST_CASE(
   CHECK(errors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
 }
 
-TEST_CASE("a task on atoms that have the radius 0 in the file is reported at its place; highlighted they are not") {
-  const auto errorsOf = [](const std::string& body) {
-    const auto points = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
-      MoleculeByHand b;
-      b.made.id = "mix";
-      b.residue("A", "SER", 1, ResidueKind::AminoAcid).atom("OG", 8, {0, 0, 0}, 1.721).atom("HG", 1, {0.96, 0, 0}, 0.0);
-      return std::make_shared<const Molecule>(b.molecule());
-    };
-    std::vector<std::string> out;
-    for (const Problem& p : checkLesson("l.md", kHead + body, points).errors) out.push_back(p.text());
-    return out;
-  };
-  const std::string scene = "## S\n```scene\nmolecule: mix\nhighlight: name HG\n```\n";
-  CHECK(errorsOf(scene + "Text.\n").empty());
-  CHECK(
-      errorsOf(scene + "```touch\nreach: name HG\nsay: Touch it.\n```\n") ==
-      std::vector<std::string>{
-          "l.md:15:8: nothing of this can be touched: in the file these atoms have the radius 0; name other atoms, or "
-          "give them a radius in the file"});
-  CHECK(errorsOf(scene + "```touch\nreach: name HG or name OG\nsay: Touch it.\n```\n").empty());
-}
-
 TEST_CASE("'charges: file' on a molecule whose file has no charges is an error at its place; 'formal' is not") {
   const auto scene = [](const std::string& source) {
     return "## S\n```scene\nmolecule: mix\ncharges: " + source + "\n```\nText.\n";

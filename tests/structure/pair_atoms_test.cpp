@@ -10,7 +10,6 @@
 #include "engine/haptics/field/pair_sum.h"
 #include "engine/structure/amber/charge_faults.h"
 #include "engine/structure/bonds.h"
-#include "engine/structure/interaction_input.h"
 #include "tests/structure/library.h"
 
 using namespace moltact;
@@ -209,29 +208,6 @@ TEST_CASE("an atom of an unknown element is noted by its residue; its charge is 
   CHECK(without.atoms[1].charge_e == 0.0f);
   CHECK(without.atoms[1].half_minimum_A == float(m.spheres[1].radius_A));
   CHECK(count(pairAtoms(test::libraryMolecule("2hhb.pdb")), Kind::UnknownElement) == 0);
-}
-
-TEST_CASE(
-    "a hydroxyl's hydrogen of radius 0, as AMBER's PQR files have it, cannot be touched, and its charge acts; taken "
-    "out of "
-    "the scene it does not") {
-  const Molecule m = test::moleculeOf(
-      "ATOM 1 CB SER A 1 0 0 0 0.2117 1.908\nATOM 2 OG SER A 1 1.43 0 0 -0.6546 1.721\n"
-      "ATOM 3 HG SER A 1 1.75 0.9 0 0.4275 0.000\n",
-      "x.pqr");
-  REQUIRE(m.atoms.size() == 3);
-  TouchSetup touch;
-  touch.forces = "all";
-  touch.probe_charge_e = 1.0;
-  const auto chargesOf = [&](const SphereGrid& spheres) {
-    std::vector<float> out;
-    for (const PairAtom& atom : pairField(touch, m, spheres, nullptr)->atoms) out.push_back(atom.charge_e);
-    return out;
-  };
-  const SphereGrid whole(m.spheres);
-  CHECK_FALSE(whole.touchable(2));
-  CHECK(chargesOf(whole) == std::vector<float>{0.2117f, -0.6546f, 0.4275f});
-  CHECK(chargesOf(SphereGrid(m.spheres, std::vector<std::uint32_t>{2})) == std::vector<float>{0.2117f, -0.6546f});
 }
 
 TEST_CASE(

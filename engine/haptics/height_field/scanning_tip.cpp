@@ -34,7 +34,6 @@ Expected<ScanningTip> ScanningTip::over(std::span<const Sphere> spheres, const S
   const Quat to_scan = glm::conjugate(out.setup_.orientation);
   Vec3 low(1e300), high(-1e300);
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    if (spheres[i].radius_A == 0.0) continue;  // no surface (SphereGrid)
     if (std::binary_search(without.begin(), without.end(), static_cast<std::uint32_t>(i))) continue;
     const Vec3 centre = to_scan * spheres[i].centre_A;
     low = glm::min(low, centre - Vec3(spheres[i].radius_A));

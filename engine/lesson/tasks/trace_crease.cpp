@@ -31,7 +31,7 @@ class TraceCrease : public Trace {
     if (probe_A != probe_A_) {
       // The creases are moved with the surface.
       std::vector<Sphere> points;
-      for (const SurfacePlace& p : creasePlaces(*scene_, atoms_, probe_A, kSpacing_A)) points.push_back({p.scp_A, 1.0});
+      for (const SurfacePlace& p : creasePlaces(*scene_, atoms_, probe_A, kSpacing_A)) points.push_back({p.scp_A, 0.0});
       places_ = std::make_unique<const SphereGrid>(std::move(points));
       probe_A_ = probe_A;
       forget();
