@@ -103,7 +103,7 @@ void compareMaps(const std::vector<std::string>& files, const NamedMaps& ours) {
     char text[160];
     std::snprintf(text, sizeof text, "%zu points, correlation %.4f, factor %.4f, rms difference %.3g, largest %.3g",
                   found.points, found.correlation, found.factor, found.rms, found.largest);
-    out() << file << ": " << text << " kcal/mol\n";
+    out() << file << ": " << text << (*name == "e" ? " kcal/mol/e\n" : " kcal/mol\n");
   }
 }
 
