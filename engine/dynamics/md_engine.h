@@ -31,6 +31,12 @@ struct AtomPush {
   }
 };
 
+/// How fast a platform computes.
+struct PlatformRate {
+  std::string platform;
+  double steps_per_s = 0.0;
+};
+
 /// What an engine starts from.
 struct MdStart {
   std::string system;             ///< serialised, in the engine's own format
@@ -71,6 +77,8 @@ class MdEngine {
   virtual std::string name() const = 0;
   /// Its steps per second when it was measured; 0: the platform was given.
   virtual double measured_steps_per_s() const = 0;
+  /// All platforms that were measured for the choice, in the order of trial; empty: the platform was given.
+  virtual std::span<const PlatformRate> measured() const = 0;
 
   /// Replaces all pushes.
   virtual std::string push(std::span<const AtomPush> pushes) = 0;

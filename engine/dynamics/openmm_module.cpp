@@ -79,6 +79,7 @@ class OpenMMEngine final : public MdEngine {
   std::string_view platform() const override { return platform_; }
   std::string name() const override { return "OpenMM " + OpenMM::Platform::getOpenMMVersion(); }
   double measured_steps_per_s() const override { return steps_per_s_; }
+  std::span<const PlatformRate> measured() const override { return measured_; }
 
   std::string push(std::span<const AtomPush> pushes) override {
     return guarded([&] {
@@ -226,8 +227,7 @@ class OpenMMEngine final : public MdEngine {
   void choosePlatform() {
     if (!start_.platform.empty()) return open(start_.platform);
     using Clock = std::chrono::steady_clock;
-    std::string best, why;
-    double fastest = 0.0;
+    std::string why;
     for (int k = 0; k < OpenMM::Platform::getNumPlatforms(); ++k) {
       const std::string name = OpenMM::Platform::getPlatform(k).getName();
       try {
@@ -241,14 +241,16 @@ class OpenMMEngine final : public MdEngine {
           context_->getState(OpenMM::State::Positions);
           took_s = std::chrono::duration<double>(Clock::now() - from).count();
         }
-        if (const double rate = steps / std::max(took_s, 1e-6); rate > fastest) fastest = rate, best = name;
+        measured_.push_back({name, steps / std::max(took_s, 1e-6)});
       } catch (const std::exception& e) {
         why = e.what();  // a graphics card that is not there
       }
     }
-    if (best.empty()) throw std::runtime_error(why.empty() ? "no platform" : why);
-    open(best);
-    steps_per_s_ = fastest;
+    if (measured_.empty()) throw std::runtime_error(why.empty() ? "no platform" : why);
+    const auto fastest = std::max_element(measured_.begin(), measured_.end(),
+                                          [](const auto& a, const auto& b) { return a.steps_per_s < b.steps_per_s; });
+    open(fastest->platform);
+    steps_per_s_ = fastest->steps_per_s;
   }
 
   void begin() {
@@ -271,6 +273,7 @@ class OpenMMEngine final : public MdEngine {
   std::vector<double> masses_u_;
   std::vector<Vec3> positions_A_;
   std::string platform_;
+  std::vector<PlatformRate> measured_;
   double step_ps_ = 0.0, steps_per_s_ = 0.0;
   int freedom_ = 1;
   std::uint32_t draws_ = 0;

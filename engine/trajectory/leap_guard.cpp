@@ -39,10 +39,11 @@ void LeapGuard::place(std::span<const Sphere> at) {
   if (at.size() != part_of_.size()) return;
   for (const Sphere& s : at) places_A_.push_back(s.centre_A);
   std::fill(states_.begin(), states_.end(), State::Here);
+  before_s_ = 0.0;
   unsettled_ = 0;
 }
 
-bool LeapGuard::step(std::vector<Sphere>& to, double limit_A, const std::function<bool(const Sphere&)>& occupied) {
+bool LeapGuard::step(std::vector<Sphere>& to, double limit_A, double piece_s, const Occupied& occupied) {
   if (to.size() != part_of_.size() || places_A_.size() != to.size()) return false;
   const std::size_t parts = states_.size();
   std::vector<bool> leaps(parts, false), held(parts, false), growing(parts, false);
@@ -50,9 +51,11 @@ bool LeapGuard::step(std::vector<Sphere>& to, double limit_A, const std::functio
     const std::vector<Vec3> steps = stepsOf(places_A_, part_of_, parts, [&](std::size_t i) { return to[i].centre_A; });
     for (std::size_t p = 0; p < parts; ++p) leaps[p] = glm::length(steps[p]) > limit_A;
   }
+  const double growth_A = kGrowth_A_per_s * piece_s, room_A = kHand_A_per_s * (before_s_ + kFrame_s);
+  before_s_ = piece_s;
   // Where a molecule that is away would appear.
   for (std::size_t i = 0; i < to.size(); ++i)
-    if (const std::uint32_t p = part_of_[i]; states_[p] == State::Away && !held[p]) held[p] = occupied(to[i]);
+    if (const std::uint32_t p = part_of_[i]; states_[p] == State::Away && !held[p]) held[p] = occupied(to[i], room_A);
   for (std::size_t p = 0; p < parts; ++p) {
     State& state = states_[p];
     switch (state) {
@@ -61,7 +64,7 @@ bool LeapGuard::step(std::vector<Sphere>& to, double limit_A, const std::functio
         if (leaps[p])
           state = State::Shrunk;
         else if (state == State::Growing)
-          grown_A_[p] += kGrowth_A;
+          grown_A_[p] += growth_A;
         break;
       case State::Shrunk:
         state = State::Away;
@@ -69,7 +72,7 @@ bool LeapGuard::step(std::vector<Sphere>& to, double limit_A, const std::functio
       case State::Away:
         if (leaps[p] || held[p]) break;
         state = State::Growing;
-        grown_A_[p] = kGrowth_A;
+        grown_A_[p] = growth_A;
         break;
     }
     growing[p] = false;

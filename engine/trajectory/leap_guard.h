@@ -25,18 +25,20 @@ class LeapGuard {
   /// `part_of`: the covalent molecule of each atom, of `parts`.
   LeapGuard(std::span<const std::uint32_t> part_of, std::size_t parts);
 
-  /// Surfaces grow by this in a piece of the motion (10 A/s in pieces of 33 ms).
-  static constexpr double kGrowth_A = 0.33;
-  /// Room around the hand in which no atom appears, beyond the touch of its surface. The hand cannot cross it within a
-  /// piece of the motion and the frame before, if it moves by less than 100 A/s.
-  static constexpr double kClear_A = 6.0;
+  /// The speed at which surfaces grow.
+  static constexpr double kGrowth_A_per_s = 10.0;
+  /// The speed of a hand that no atom surprises, and the time from one frame of the screen to the next.
+  static constexpr double kHand_A_per_s = 120.0, kFrame_s = 0.017;
 
   /// All atoms are at these places, at once.
   void place(std::span<const Sphere> at);
-  /// The spheres of the next piece of the motion: replaces those of `to` that leap by more than `limit_A` (0: none) or
-  /// are on the way back. `occupied(sphere)` tells whether the hand is where this sphere would appear. Returns false if
-  /// the number of spheres differs; then nothing is changed.
-  bool step(std::vector<Sphere>& to, double limit_A, const std::function<bool(const Sphere&)>& occupied);
+  /// Whether the hand is within `room_A` of the touch of a sphere's surface.
+  using Occupied = std::function<bool(const Sphere&, double room_A)>;
+  /// The spheres of the next piece of the motion, which takes `piece_s`: replaces those of `to` that leap by more than
+  /// `limit_A` (0: none) or are on the way back. An atom begins to grow only if the hand cannot reach it in the rest of
+  /// the piece before, which may be as long as that piece, and a frame. Returns false if the number of spheres differs;
+  /// then nothing is changed.
+  bool step(std::vector<Sphere>& to, double limit_A, double piece_s, const Occupied& occupied);
   /// Whether atoms are away or on the way back, so that further steps are needed.
   bool unsettled() const { return unsettled_ > 0; }
 
@@ -47,6 +49,7 @@ class LeapGuard {
   std::vector<State> states_;    // of each covalent molecule
   std::vector<double> grown_A_;  // while it grows
   std::vector<Vec3> places_A_;   // of each atom after the last step
+  double before_s_ = 0.0;        // the duration of the last step
   std::size_t unsettled_ = 0;
 };
 

@@ -10,7 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/moving_states.h"
 #include "engine/haptics/methods.h"
-#include "tests/app/scripted_user_fixture.h"
+#include "tests/app/small_window.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -113,14 +113,6 @@ class Counter final : public AtomMover {
   void onStart() override { ++begun; }
 };
 
-ScriptedUser::Options small(const fs::path& folder) {
-  ScriptedUser::Options options;
-  options.width = 1000;
-  options.height = 600;
-  options.application.attempts_folder = folder;
-  return options;
-}
-
 std::string chain() {
   std::string out;
   for (int k = 0; k < 6; ++k) {
@@ -135,7 +127,7 @@ std::string chain() {
 double z(ScriptedUser& user, std::size_t atom) { return user.app().scene.atoms().seen()->spheres[atom].centre_A.z; }
 
 TEST_CASE("a mover receives each of the 13 events of an extension once, and its 3 answers are those of all movers") {
-  const auto user = startWith("1ubq", small({}));
+  const auto user = startWith("1ubq", smallWindow({}));
   AtomMovers movers({user->app().scene, user->app().lesson, user->app().messages, user->app().options()});
   Listener& listener = movers.add<Listener>();
   Extension& all = movers;
@@ -167,7 +159,7 @@ TEST_CASE("a mover receives each of the 13 events of an extension once, and its 
 }
 
 TEST_CASE("a mover that starts ends each other mover once before it begins; while it is unavailable it does neither") {
-  const auto user = startWith("1ubq", small({}));
+  const auto user = startWith("1ubq", smallWindow({}));
   AtomMovers movers({user->app().scene, user->app().lesson, user->app().messages, user->app().options()});
   Counter &first = movers.add<Counter>(), &second = movers.add<Counter>();
   CHECK(first.start());
@@ -196,7 +188,7 @@ TEST_CASE(
   fs::path file;
   std::vector<double> first(6);
   {
-    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
     Application& app = user->app();
     Frames& frames = app.extensions().movers.add<Frames>();
     user->frames(10);
@@ -243,7 +235,7 @@ TEST_CASE(
   REQUIRE(middle_s > 0.0);
 
   {
-    const auto user = startWith("1ubq", small({}));
+    const auto user = startWith("1ubq", smallWindow({}));
     Frames& frames = user->app().extensions().movers.add<Frames>();
     user->app().open(file);
     user->app().finishLoading();
@@ -267,7 +259,7 @@ TEST_CASE(
     user->frames(60);
     CHECK(z(*user, 5) == doctest::Approx(first[5] + 9.0));
   }
-  const auto other = startWith("1ubq", small({}));
+  const auto other = startWith("1ubq", smallWindow({}));
   other->app().open(file);
   other->app().finishLoading();
   other->frames(5);

@@ -1,5 +1,5 @@
-// A body in the hand while a trajectory moves the rest of the molecule. Oracles: the overlap over all pairs of spheres at
-// each tick, and the same motion in steps ten times as fine.
+// A body in the hand, or a probe, while a trajectory moves the rest of the molecule. Oracles: the overlap over all pairs of
+// spheres at each tick, and the same hand and motion in steps eight times as fine.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +12,7 @@
 #include "app/ui/extensions/played_trajectory.h"
 #include "engine/bench/bodies/body_trade_off.h"
 #include "engine/haptics/body/exact_body.h"
+#include "engine/haptics/methods.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_step.h"
 #include "tests/app/scripted_user_fixture.h"
@@ -53,10 +54,84 @@ void writeBreathing(const fs::path& file) {
   }
 }
 
-std::string lesson(const char* speed) {
+// `ligand`: the key that takes the drug, "in-hand" or "remove".
+std::string lesson(const char* ligand) {
   return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n## One\n```scene\n"
-         "molecule: 1hpv\nin-hand: ligand\ntrajectory: breath.pdb, not superposed\nspeed: " +
-         std::string(speed) + "\n```\nText.\n";
+         "molecule: 1hpv\n" +
+         std::string(ligand) + ": ligand\ntrajectory: breath.pdb, not superposed\nspeed: 6\n```\nText.\n";
+}
+
+// The hand of a simulated device on the breathing protein for 8 s, recorded in the window.
+ServoRecording recordedHand(const char* ligand) {
+  const ScratchFolder scratch;
+  writeBreathing(scratch.path / "breath.pdb");
+  writeFile(scratch.path / "mine.md", lesson(ligand));
+  const fs::path file = scratch.path / "hand.recording";
+  {
+    const auto user = startWith((scratch.path / "mine.md").string());
+    REQUIRE(user->app().extensions().movers.get<PlayedTrajectory>().ready());
+    user->app().extensions().device.choose("simulated");
+    user->frames(60);
+    user->app().extensions().hand_recorder.record(file);
+    REQUIRE(user->app().extensions().hand_recorder.recording());
+    user->frames(480);
+    user->app().extensions().hand_recorder.stop();
+  }
+  Expected<ServoRecording> recorded = readServoRecording(file);
+  REQUIRE(recorded);
+  REQUIRE(recorded->start);
+  REQUIRE(recorded->motions.size() > 20);
+  return *std::move(recorded);
+}
+
+struct Finer {
+  int judged = 0,
+      off = 0;  // ticks in contact with moving spheres; those in which the two differ by more than the bound
+  double worst_A = 0.0, worst_N = 0.0;  // the greatest difference of the spring, and of its force
+  double step_N = 0.0;                  // the greatest change of the spring's force in a tick
+};
+
+constexpr int kFiner = 8;
+
+// Replays the recording, and beside it the same hand and motion in steps kFiner times as fine: `fine(hand, orientation)`
+// is called for each of them, after setMotion and advanceTo of `moving`.
+template <class Moving, class Fine>
+Finer againstFiner(const ServoRecording& recorded, const SphereGrid& spheres, Interaction& coarse, Moving& moving,
+                   double bound_A, const Fine& fine) {
+  MotionReplay motions(recorded.motions, spheres);
+  ServoStep step = *recorded.start;
+  Finer out;
+  std::optional<ServoSample> before;
+  for (const RecordedTick& tick : recorded.ticks) {
+    if (tick.other_device) step.setDevice(tick.device);
+    const auto phase = motions.at(tick.motion, tick.motion_tick);
+    REQUIRE(phase);
+    const ServoSample now = step.tick(tick.settings, &coarse, tick.pose, tick.time, *phase);
+    const bool other = moving.setMotion(phase->motion) && before && before->motion != now.motion;
+    const double from = other || !before ? 0.0 : before->fraction;
+    const ServoSample start = before.value_or(now);
+    Contact f;
+    for (int k = 1; k <= kFiner; ++k) {
+      const double share = double(k) / kFiner;
+      if (phase->motion) moving.advanceTo(from + (phase->fraction - from) * share);
+      f = fine(start.hip.A + (now.hip.A - start.hip.A) * share, glm::slerp(start.orientation, now.orientation, share));
+    }
+    if (now.contact.touching() && f.touching() && before && now.motion > 0) {
+      ++out.judged;
+      const double apart_A = glm::distance(now.contact.displacement_A, f.displacement_A),
+                   N_per_A = tick.settings.stiffness_N_per_mm / tick.settings.workspace.A_per_mm;
+      out.worst_A = std::max(out.worst_A, apart_A);
+      out.worst_N = std::max(out.worst_N, N_per_A * apart_A);
+      out.off += apart_A > bound_A;
+      if (before->contact.touching())
+        out.step_N =
+            std::max(out.step_N, N_per_A * glm::distance(now.contact.displacement_A, before->contact.displacement_A));
+    }
+    before = now;
+  }
+  MESSAGE(out.judged, " ticks judged, ", out.off, " apart by more than ", bound_A, " A, at most ", out.worst_A,
+          " A and ", out.worst_N, " N; greatest step of the force ", out.step_N, " N");
+  return out;
 }
 
 }  // namespace
@@ -67,7 +142,7 @@ TEST_CASE(
     "by over 1e-6 A, the force is at most 3.3 N, and the drug keeps its shape though the trajectory moves its atoms") {
   const ScratchFolder scratch;
   writeBreathing(scratch.path / "breath.pdb");
-  writeFile(scratch.path / "mine.md", lesson("6"));
+  writeFile(scratch.path / "mine.md", lesson("in-hand"));
   const auto user = startWith((scratch.path / "mine.md").string());
   HapticSession& scene = user->app().scene;
   REQUIRE(scene.stage().body);
@@ -112,63 +187,33 @@ TEST_CASE(
 
 TEST_CASE(
     "with a device's hand, recorded: in each tick of a breathing protein the exact body rests within 0.02 A of where "
-    "the "
-    "same motion in steps ten times as fine leaves it, so that no force jumps beyond the motion's own") {
-  const ScratchFolder scratch;
-  writeBreathing(scratch.path / "breath.pdb");
-  writeFile(scratch.path / "mine.md", lesson("6"));
-  const fs::path file = scratch.path / "hand.recording";
-  {
-    const auto user = startWith((scratch.path / "mine.md").string());
-    REQUIRE(user->app().scene.stage().body);
-    user->app().extensions().device.choose("simulated");
-    user->frames(60);
-    user->app().extensions().hand_recorder.record(file);
-    REQUIRE(user->app().extensions().hand_recorder.recording());
-    user->frames(480);
-    user->app().extensions().hand_recorder.stop();
-  }
-  const Expected<ServoRecording> recorded = readServoRecording(file);
-  REQUIRE(recorded);
-  REQUIRE(recorded->start);
-  REQUIRE(recorded->motions.size() > 20);
-  const RecordedScene scene = recordedScene(recorded->labels, SharedArray<Sphere>(recorded->placed));
+    "the same motion in steps eight times as fine leaves it, so that no force jumps beyond the motion's own") {
+  const ServoRecording recorded = recordedHand("in-hand");
+  const RecordedScene scene = recordedScene(recorded.labels, SharedArray<Sphere>(recorded.placed));
   REQUIRE(scene.body);
   ExactBody coarse(scene.spheres, scene.body), fine(scene.spheres, scene.body);
-  MotionReplay motions(recorded->motions, *scene.spheres);
-  ServoStep step = *recorded->start;
-  int judged = 0, off = 0;
-  double worst_A = 0.0, step_A = 0.0;
-  std::optional<ServoSample> before;
-  for (const RecordedTick& tick : recorded->ticks) {
-    if (tick.other_device) step.setDevice(tick.device);
-    const auto phase = motions.at(tick.motion, tick.motion_tick);
-    REQUIRE(phase);
-    const ServoSample now = step.tick(tick.settings, &coarse, tick.pose, tick.time, *phase);
-    const bool other = fine.setMotion(phase->motion) && before && before->motion != now.motion;
-    const double from = other || !before ? 0.0 : before->fraction;
-    const ServoSample start = before.value_or(now);
-    Response f;
-    for (int k = 1; k <= 10; ++k) {
-      const double share = k / 10.0;
-      if (phase->motion) fine.advanceTo(from + (phase->fraction - from) * share);
-      f = fine.respond(
-          {{start.hip.A + (now.hip.A - start.hip.A) * share}, glm::slerp(start.orientation, now.orientation, share)});
-    }
-    if (now.contact.touching() && f.contact.touching() && before && now.motion > 0) {
-      ++judged;
-      const double apart = glm::distance(now.contact.displacement_A, f.contact.displacement_A);
-      worst_A = std::max(worst_A, apart);
-      off += apart > 0.02;
-      if (before->contact.touching())
-        step_A = std::max(step_A, glm::distance(now.contact.displacement_A, before->contact.displacement_A));
-    }
-    before = now;
-  }
-  MESSAGE(judged, " ticks judged, ", off, " apart, at most ", worst_A, " A; greatest step of the spring ", step_A,
-          " A");
-  CHECK(judged > 1000);
-  CHECK(off == 0);
+  const Finer found =
+      againstFiner(recorded, *scene.spheres, coarse, fine, 0.02, [&](const Vec3& hand, const Quat& orientation) {
+        return fine.respond({{hand}, orientation}).contact;
+      });
+  CHECK(found.judged > 1000);
+  CHECK(found.off == 0);
+}
+
+TEST_CASE(
+    "with a device's probe, recorded: in each tick of a breathing protein the exact tracker's spring is within 0.02 A "
+    "of "
+    "that of the same hand and motion in steps eight times as fine, so that no force jumps beyond the motion's own") {
+  const ServoRecording recorded = recordedHand("remove");
+  const RecordedScene scene = recordedScene(recorded.labels, SharedArray<Sphere>(recorded.placed));
+  REQUIRE_FALSE(scene.body);
+  const double probe_A = recorded.ticks.front().settings.probe_A;
+  const auto coarse = findMethod("exact")->make(scene.spheres, probe_A),
+             fine = findMethod("exact")->make(scene.spheres, probe_A);
+  const Finer found = againstFiner(recorded, *scene.spheres, *coarse, *fine, 0.02,
+                                   [&](const Vec3& hand, const Quat&) { return fine->step({hand}); });
+  CHECK(found.judged > 1000);
+  CHECK(found.off == 0);
 }
 
 }  // namespace moltact

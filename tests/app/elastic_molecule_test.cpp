@@ -9,7 +9,7 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/field/pair_model.h"
-#include "tests/app/scripted_user_fixture.h"
+#include "tests/app/small_window.h"
 #include "tests/dynamics/networks.h"
 #include "tests/results/sample_attempt.h"
 
@@ -18,25 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ScriptedUser::Options small(const fs::path& folder) {
-  ScriptedUser::Options options;
-  options.width = 1000;
-  options.height = 600;
-  options.application.attempts_folder = folder;
-  return options;
-}
-
 std::string lessonWith(const std::string& keys) {
   return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: 1ubq, 4ake, 1ake\nauthor: A\nlicence: L\n---\n## One\n"
          "```scene\n" +
          keys + "```\n```touch\nreach: residue 4\nsay: Touch it.\n```\n\n> [!TIP]\n> Look.\n";
-}
-
-double farthest_A(ScriptedUser& user, const SharedArray<Sphere>& from) {
-  const SharedArray<Sphere>& now = user.app().scene.atoms().seen()->spheres;
-  double out = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) out = std::max(out, glm::distance(now[i].centre_A, from[i].centre_A));
-  return out;
 }
 
 TEST_CASE(
@@ -47,18 +32,13 @@ TEST_CASE(
   writeFile(scratch.path / "mine.md", lessonWith("molecule: 1ubq\nelastic: on\nstiffness: 1 N/mm\n"));
   fs::path file;
   {
-    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
     Application& app = user->app();
     const ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
     REQUIRE(elastic.on());
     REQUIRE(elastic.model());
     const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
-    user->point("view", 0.5, 0.5);
-    user->press();
-    for (int k = 0; k < 40; ++k) {
-      user->wheel(1.0);
-      user->frames(2);
-    }
+    pressDeep(*user);
     user->frames(1200);
     const ServoSample& now = app.scene.log().latest();
     REQUIRE(now.contact.touching());
@@ -89,7 +69,7 @@ TEST_CASE(
     CHECK(off < 0.05 * greatest);
     user->release();
     user->frames(1200);
-    CHECK(farthest_A(*user, rest) < 0.01);
+    CHECK(farthestFrom_A(*user, rest) < 0.01);
     REQUIRE(app.extensions().recorder.flush());
     file = app.extensions().recorder.file();
   }
@@ -103,7 +83,7 @@ TEST_CASE(
       if (moved->position > greatest) greatest = moved->position, at_s = e.t_s;
     }
   REQUIRE(greatest > 0.1);
-  const auto user = startWith("1ubq", small({}));
+  const auto user = startWith("1ubq", smallWindow({}));
   user->app().open(file);
   user->app().finishLoading();
   Playback& playback = user->app().extensions().playback;
@@ -111,25 +91,25 @@ TEST_CASE(
   playback.seek(at_s + 1e-3);
   user->app().finishLoading();
   user->frames(5);
-  CHECK(farthest_A(*user, user->app().scene.atoms().resting().spheres->spheres()) ==
+  CHECK(farthestFrom_A(*user, user->app().scene.atoms().resting().spheres->spheres()) ==
         doctest::Approx(greatest).epsilon(0.02));
 }
 
 TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the atoms are back at once") {
-  const auto user = startWith("4ake", small({}));
+  const auto user = startWith("4ake", smallWindow({}));
   Application& app = user->app();
   ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
   const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
   elastic.start();
   user->frames(5);
-  CHECK(farthest_A(*user, rest) == 0.0);
+  CHECK(farthestFrom_A(*user, rest) == 0.0);
   elastic.showMode(true);
   user->frames(65);  // a quarter of its period
-  CHECK(farthest_A(*user, rest) == doctest::Approx(ElasticMolecule::kShown_A).epsilon(0.05));
+  CHECK(farthestFrom_A(*user, rest) == doctest::Approx(ElasticMolecule::kShown_A).epsilon(0.05));
   CHECK(elastic.energy_kcal_mol() < 0.1);  // it is shown without stretching a spring
   elastic.end();
   user->frames(5);
-  CHECK(farthest_A(*user, rest) == 0.0);
+  CHECK(farthestFrom_A(*user, rest) == 0.0);
   CHECK_FALSE(elastic.live());
   // Forces between atoms need a molecule at rest: they switch it off, with a message, and it stays off.
   elastic.start();
@@ -140,7 +120,7 @@ TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the 
   app.scene.setTouch(touch);
   user->frames(5);
   CHECK_FALSE(elastic.on());
-  CHECK(farthest_A(*user, rest) == 0.0);
+  CHECK(farthestFrom_A(*user, rest) == 0.0);
   CHECK(contains(app.messages.all().back().text, "Forces between atoms act in a molecule at rest."));
   elastic.start();
   CHECK_FALSE(elastic.on());
@@ -152,18 +132,13 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeFile(scratch.path / "mine.md", lessonWith("molecule: 1ubq\nelastic: on\nmodes: 3, 1\nstiffness: 1 N/mm\n"
                                                  "panels: motion\n"));
-  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
   Application& app = user->app();
   ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
   REQUIRE(elastic.model());
   CHECK(elastic.feltModes() == std::vector<std::size_t>{0, 2});
   const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
-  user->point("view", 0.5, 0.5);
-  user->press();
-  for (int k = 0; k < 40; ++k) {
-    user->wheel(1.0);
-    user->frames(2);
-  }
+  pressDeep(*user);
   user->frames(600);
   // The length of the displacement, its amplitude along modes 1 to 3, and what is left.
   const auto amplitudes = [&] {
@@ -206,7 +181,7 @@ TEST_CASE(
 
 TEST_CASE("the second window takes the modes from the cache folder, and they are the same to the last bit") {
   const ScratchFolder scratch;
-  ScriptedUser::Options options = small({});
+  ScriptedUser::Options options = smallWindow({});
   options.application.cache_folder = scratch.path / "cache";
   std::vector<std::shared_ptr<const NormalModes>> modes;
   std::vector<double> compliances[2];
@@ -230,7 +205,7 @@ TEST_CASE("the second window takes the modes from the cache folder, and they are
 }
 
 TEST_CASE("a molecule too small for an elastic network says so with a remedy, and nothing moves") {
-  const auto user = startWith("water", small({}));
+  const auto user = startWith("water", smallWindow({}));
   ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
   elastic.start();
   user->frames(5);

@@ -6,7 +6,7 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/live_molecule.h"
-#include "tests/app/scripted_user_fixture.h"
+#include "tests/app/small_window.h"
 #include "tests/dynamics/imd_test_server.h"
 #include "tests/results/sample_attempt.h"
 
@@ -20,9 +20,7 @@ using test::ImdTestServer;
 const std::vector<Vec3> kAtomsAtServer{{100, 0, 0}, {103.8, 0, 0}, {101.9, 3.29, 0}};
 
 ScriptedUser::Options windowFor(const std::string& imd) {
-  ScriptedUser::Options options;
-  options.width = 1000;
-  options.height = 600;
+  ScriptedUser::Options options = smallWindow();
   options.application.simulation = imd;
   return options;
 }

@@ -11,21 +11,13 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/platform/folders.h"
-#include "tests/app/scripted_user_fixture.h"
+#include "tests/app/small_window.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
 namespace {
 
 namespace fs = std::filesystem;
-
-ScriptedUser::Options smallWindow(const fs::path& folder) {
-  ScriptedUser::Options options;
-  options.width = 1000;
-  options.height = 600;
-  options.application.attempts_folder = folder;
-  return options;
-}
 
 std::string liveLesson(const std::string& keys, const std::string& molecule = "alanine-dipeptide") {
   return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: " + molecule +
@@ -44,11 +36,7 @@ bool simulates(ScriptedUser& user) {
 }
 
 double farthestFromRest_A(ScriptedUser& user) {
-  const SharedArray<Sphere>& rest = user.app().scene.atoms().resting().spheres->spheres();
-  const SharedArray<Sphere>& now = user.app().scene.atoms().seen()->spheres;
-  double out = 0.0;
-  for (std::size_t i = 0; i < rest.size(); ++i) out = std::max(out, glm::distance(now[i].centre_A, rest[i].centre_A));
-  return out;
+  return farthestFrom_A(user, user.app().scene.atoms().resting().spheres->spheres());
 }
 
 Vec3 massCentre_A(ScriptedUser& user) {

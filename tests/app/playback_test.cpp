@@ -4,7 +4,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/moving_states.h"
 #include "app/ui/panels/view_overlays.h"
-#include "tests/app/scripted_user_fixture.h"
+#include "tests/app/small_window.h"
 #include "tests/haptics/fields.h"
 #include "tests/results/sample_attempt.h"
 
@@ -15,17 +15,9 @@ namespace fs = std::filesystem;
 
 const std::string kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
 
-ScriptedUser::Options small(const fs::path& folder = {}) {
-  ScriptedUser::Options options;
-  options.width = 1000;
-  options.height = 600;
-  options.application.attempts_folder = folder;
-  return options;
-}
-
 // Touches the first lesson's atom, continues a step; gives the file.
 fs::path recorded(const fs::path& folder) {
-  const auto driver = startWith(kLesson, small(folder));
+  const auto driver = startWith(kLesson, smallWindow(folder));
   driver->point("view", 0.5, 0.5);
   driver->press();
   driver->frames(60);
@@ -42,7 +34,7 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
   const fs::path file = recorded(scratch.path);
   const std::string bytes = bytesOf(file);
   const Timeline line(*readAttempt(file));
-  const auto driver = startWith(file.string(), small(scratch.path / "other"));
+  const auto driver = startWith(file.string(), smallWindow(scratch.path / "other"));
   Application& app = driver->app();
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
@@ -91,7 +83,7 @@ TEST_CASE(
     "a playback sounds while its hand touched, with a scrape no louder than its limit, and is silent while paused") {
   const ScratchFolder scratch;
   const fs::path file = recorded(scratch.path);
-  const auto driver = startWith(file.string(), small(scratch.path / "other"));
+  const auto driver = startWith(file.string(), smallWindow(scratch.path / "other"));
   Application& app = driver->app();
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
@@ -138,7 +130,7 @@ TEST_CASE(
     return out;
   };
   {
-    const auto driver = startWith(kLesson, small(scratch.path));
+    const auto driver = startWith(kLesson, smallWindow(scratch.path));
     Application& app = driver->app();
     app.settings.sound = true;
     driver->point("view", 0.5, 0.5);
@@ -156,7 +148,7 @@ TEST_CASE(
     REQUIRE(app.extensions().recorder.flush());
     file = app.extensions().recorder.file();
   }
-  const auto driver = startWith(file.string(), small(scratch.path / "other"));
+  const auto driver = startWith(file.string(), smallWindow(scratch.path / "other"));
   Application& app = driver->app();
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
@@ -189,7 +181,7 @@ TEST_CASE(
   fs::path file;
   std::vector<std::uint32_t> held;
   {
-    const auto driver = startWith(lesson.string(), small(scratch.path));
+    const auto driver = startWith(lesson.string(), smallWindow(scratch.path));
     held = driver->app().scene.stage().body->atoms;
     driver->point("view", 0.5, 0.5);
     driver->frames(30);
@@ -219,7 +211,7 @@ TEST_CASE(
   CHECK(glm::length(rotationBetween(kNoRotation, line.hand(0.3)->held->body.orientation)) > glm::radians(59.0));
   CHECK(line.stage(line.length_s())->held.empty());
 
-  const auto driver = startWith("1hpv", small(scratch.path / "other"));
+  const auto driver = startWith("1hpv", smallWindow(scratch.path / "other"));
   Application& app = driver->app();
   const AtomList hidden_before = app.scene.look.atoms.hidden;
   app.open(file);
@@ -267,7 +259,7 @@ TEST_CASE(
 TEST_CASE("a lesson that was open continues after the playback as if nothing had been touched meanwhile") {
   const ScratchFolder scratch;
   const fs::path file = recorded(scratch.path);
-  const auto driver = startWith(kLesson, small(scratch.path / "own"));
+  const auto driver = startWith(kLesson, smallWindow(scratch.path / "own"));
   driver->app().open(file);
   driver->frames(200);
   CHECK_FALSE(driver->shows("lesson/title"));
@@ -311,7 +303,7 @@ TEST_CASE(
   fs::path file;
   double first_z = 0.0;
   {
-    const auto driver = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    const auto driver = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
     Application& app = driver->app();
     driver->frames(10);
     REQUIRE(app.extensions().movers.get<MovingStates>().ready());
@@ -351,7 +343,7 @@ TEST_CASE(
   REQUIRE(contains(former, R"("file":"shut.pdb","superposed_on":"residue 1-5","share":0.5})"));
   writeFile(file.parent_path() / "former.jsonl", former);
   for (const fs::path& played : {file, file.parent_path() / "former.jsonl"}) {
-    const auto driver = startWith("1ubq", small());
+    const auto driver = startWith("1ubq", smallWindow());
     driver->app().open(played);
     driver->app().finishLoading();
     driver->frames(5);
@@ -375,7 +367,7 @@ TEST_CASE(
     "files that are no attempts, and a molecule that is not there, are reported and leave the window "
     "as it was") {
   const ScratchFolder scratch;
-  const auto driver = startWith(kLesson, small());
+  const auto driver = startWith(kLesson, smallWindow());
   writeFile(scratch.path / "no.jsonl", "{\"a\":1}\n");
   driver->app().open(scratch.path / "no.jsonl");
   driver->frames(3);
@@ -418,7 +410,7 @@ TEST_CASE(
   bytes += R"({"kind":"view","t":0.7,"orientation":[0,0,0,0],"target_A":[1e300,0,0],"distance_A":1e-300})"
            "\n";
   writeFile(file, bytes);
-  const auto driver = startWith("1ubq", small());
+  const auto driver = startWith("1ubq", smallWindow());
   Application& app = driver->app();
   const Camera seen = app.scene.camera;
   app.open(file.string());

@@ -16,7 +16,7 @@
 #include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/methods.h"
-#include "tests/app/scripted_user_fixture.h"
+#include "tests/app/small_window.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -25,14 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kShift_A = 0.5;
-
-ScriptedUser::Options small(const fs::path& folder) {
-  ScriptedUser::Options options;
-  options.width = 1000;
-  options.height = 600;
-  options.application.attempts_folder = folder;
-  return options;
-}
 
 /// A molecule of the library, shifted along z from model to model by `steps` times kShift_A; or its last atom alone.
 void writeModels(
@@ -79,7 +71,7 @@ TEST_CASE(
   writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nframes: 2-9\nspeed: 4\n"));
   fs::path file;
   {
-    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
     const PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
     REQUIRE(trajectory.ready());
     CHECK(trajectory.frames() == 12);
@@ -119,7 +111,7 @@ TEST_CASE(
     }
   CHECK(count > 15);
   REQUIRE(last);
-  const auto user = startWith("benzene", small({}));
+  const auto user = startWith("benzene", smallWindow({}));
   user->app().open(file);
   user->app().finishLoading();
   Playback& playback = user->app().extensions().playback;
@@ -138,7 +130,7 @@ TEST_CASE(
   const fs::path file = scratch.path / "hand.recording";
   std::vector<double> shifts;
   {
-    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
     REQUIRE(user->app().extensions().movers.get<PlayedTrajectory>().ready());
     user->app().extensions().device.choose("simulated");
     user->frames(60);
@@ -173,7 +165,7 @@ TEST_CASE(
   CHECK(result.motion_unknown == 0);
   CHECK_FALSE(result.first_difference);
 
-  const auto user = startWith("benzene", small({}));
+  const auto user = startWith("benzene", smallWindow({}));
   user->app().open(file);
   user->app().finishLoading();
   const HandRecorder& player = user->app().extensions().hand_recorder;
@@ -198,7 +190,7 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 30);
   // A window opens a PDB file as a molecule.
-  const auto user = startWith("benzene", small({}));
+  const auto user = startWith("benzene", smallWindow({}));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.open(FileKind::Trajectory, scratch.path / "shift.pdb"));
   user->frames(4);
@@ -219,7 +211,7 @@ TEST_CASE(
 TEST_CASE("an elastic molecule gives the atoms to a trajectory that is opened, and does not take them back") {
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 12, "1ubq.pdb");
-  const auto user = startWith("1ubq", small({}));
+  const auto user = startWith("1ubq", smallWindow({}));
   ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
   elastic.start();
   for (int k = 0; k < 600 && !elastic.owns(); ++k) user->frames(1);
@@ -242,7 +234,7 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 9);
   writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
-  ScriptedUser::Options options = small(scratch.path);
+  ScriptedUser::Options options = smallWindow(scratch.path);
   options.width = 1280;
   options.height = 1000;
   const auto user = startWith((scratch.path / "mine.md").string(), options);
@@ -338,7 +330,7 @@ TEST_CASE("smoothed by two frames, a zigzag of 0.5 A shows the mean of five fram
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 9, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : 0.0; });
   writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
-  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.ready());
   trajectory.goTo(4.0);
@@ -355,7 +347,7 @@ TEST_CASE(
   // Superposed: the ring is at rest but for one hydrogen, which swings by 0.5 A.
   writeModels(
       scratch.path / "shift.pdb", 8, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : -1.0; }, true);
-  const auto user = startWith("benzene", small({}));
+  const auto user = startWith("benzene", smallWindow({}));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.open(FileKind::Trajectory, scratch.path / "shift.pdb"));
   SceneLook& look = user->app().scene.look;
@@ -384,31 +376,65 @@ TEST_CASE(
   CHECK(look.fluctuation_A.empty());
 }
 
+// Two bonded carbons at rest, and an ion in a cell of 20 A.
+std::string withIon(double x) {
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "HETATM    1  C1  LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n"
+                "HETATM    2  C2  LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n"
+                "HETATM    3 NA    NA A   2    %8.3f%8.3f%8.3f  1.00  0.00          NA\n",
+                0.0, 0.0, 0.0, 1.5, 0.0, 0.0, x, 6.0, 0.0);
+  return text;
+}
+
+struct IonFrame {
+  double x_A = 0.0;
+  bool has_cell = true;
+};
+
+void writeIonLesson(const fs::path& folder, const std::vector<IonFrame>& frames) {
+  writeFile(folder / "box.pdb", withIon(0.0) + "END\n");
+  std::string run;
+  for (const IonFrame& f : frames)
+    run += "MODEL\n" +
+           std::string(f.has_cell ? "CRYST1   20.000   20.000   20.000  90.00  90.00  90.00 P 1           1\n" : "") +
+           withIon(f.x_A) + "ENDMDL\n";
+  writeFile(folder / "run.pdb", run);
+  writeFile(folder / "mine.md",
+            "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: box\nauthor: A\nlicence: L\n---\n## One\n```scene\n"
+            "molecule: box\ntrajectory: run.pdb, not superposed\nspeed: 4\n```\nText.\n");
+}
+
+TEST_CASE(
+    "an ion that moves by 16 A through frames of which only the first and the last two state a cell does not leap: it "
+    "is "
+    "drawn at its full size in each picture") {
+  const ScratchFolder scratch;
+  writeIonLesson(
+      scratch.path,
+      {{-8.0, true}, {-4.8, false}, {-1.6, false}, {1.6, false}, {4.8, false}, {8.0, false}, {8.0, true}, {8.2, true}});
+  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
+  PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
+  REQUIRE(trajectory.ready());
+  trajectory.at_end = PlayedTrajectory::AtEnd::Stop;
+  const auto ion = [&] { return user->app().scene.atoms().seen()->spheres[2]; };
+  const double size_A = ion().radius_A;
+  for (int k = 0; k < 150; ++k) {
+    user->frames(1);
+    CHECK(ion().radius_A == size_A);
+  }
+  CHECK_FALSE(trajectory.running());
+  CHECK(ion().centre_A.x == doctest::Approx(8.2).epsilon(1e-6));
+}
+
 TEST_CASE(
     "an ion that leaves a cell of 20 A comes back on the other side: in no picture is it on the way through the cell, "
     "and "
     "it arrives at its full size") {
   const ScratchFolder scratch;
-  // Two bonded carbons at rest, and an ion that moves on by 2.4 A from frame to frame; it leaps after frame 5.
-  const auto model = [](double x) {
-    char text[400];
-    std::snprintf(text, sizeof text,
-                  "HETATM    1  C1  LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n"
-                  "HETATM    2  C2  LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n"
-                  "HETATM    3 NA    NA A   2    %8.3f%8.3f%8.3f  1.00  0.00          NA\n",
-                  0.0, 0.0, 0.0, 1.5, 0.0, 0.0, x, 6.0, 0.0);
-    return std::string(text);
-  };
-  writeFile(scratch.path / "box.pdb", model(0.0) + "END\n");
-  std::string run;
-  for (int f = 0; f < 7; ++f)
-    run +=
-        "MODEL\nCRYST1   20.000   20.000   20.000  90.00  90.00  90.00 P 1           1\n" + model(2.4 * f) + "ENDMDL\n";
-  writeFile(scratch.path / "run.pdb", run);
-  writeFile(scratch.path / "mine.md",
-            "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: box\nauthor: A\nlicence: L\n---\n## One\n```scene\n"
-            "molecule: box\ntrajectory: run.pdb, not superposed\nspeed: 4\n```\nText.\n");
-  const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+  // It moves on by 2.4 A from frame to frame, and leaps after frame 5.
+  writeIonLesson(scratch.path, {{0.0}, {2.4}, {4.8}, {7.2}, {9.6}, {12.0}, {14.4}});
+  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.ready());
   trajectory.at_end = PlayedTrajectory::AtEnd::Stop;
@@ -447,13 +473,13 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 3);
   {
-    const auto user = startWith("", small({}));
+    const auto user = startWith("", smallWindow({}));
     writeFile(scratch.path / "a.xtc", std::string(200, 'x'));
     user->app().open(scratch.path / "a.xtc");
     user->frames(2);
     CHECK(contains(user->app().messages.all().back().text, "Open the structure first"));
   }
-  const auto user = startWith("1ubq", small({}));
+  const auto user = startWith("1ubq", smallWindow({}));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   user->app().open(scratch.path / "a.xtc");
   user->frames(2);

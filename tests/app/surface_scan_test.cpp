@@ -23,6 +23,17 @@ std::string scanLesson(const std::string& keys) {
          "Å\n```\nText.\n";
 }
 
+// The tip's heights over a place of the scan's frame, on each atom that it can touch there.
+std::vector<double> heightsOver(const Molecule& molecule, const HeightField& field, int column, int row) {
+  std::vector<double> out;
+  for (const Sphere& s : molecule.spheres) {
+    const Vec3 c = field.frame.toScan(s.centre_A);
+    const double d = std::hypot(field.spacing_A * column - c.x, field.spacing_A * row - c.y), reach = s.radius_A + 5;
+    if (d < reach) out.push_back(c.z - 5 + std::sqrt(reach * reach - d * d));
+  }
+  return out;
+}
+
 // A second has 60 frames.
 void passSeconds(ScriptedUser& user, double s) { user.frames(int(std::lround(60 * s))); }
 
@@ -52,12 +63,7 @@ TEST_CASE(
   for (int row = 0; row < field.rows; ++row)
     for (int column = 0; column < field.columns; ++column) {
       double height = 0.0;
-      for (const Sphere& s : molecule.spheres) {
-        const Vec3 c = field.frame.toScan(s.centre_A);
-        const double d = std::hypot(field.spacing_A * column - c.x, field.spacing_A * row - c.y),
-                     reach = s.radius_A + 5;
-        if (d < reach) height = std::max(height, c.z - 5 + std::sqrt(reach * reach - d * d));
-      }
+      for (const double h : heightsOver(molecule, field, column, row)) height = std::max(height, h);
       worst = std::max(worst, std::abs(height - field.at(column, row)));
       highest = std::max(highest, height);
     }
@@ -110,13 +116,7 @@ TEST_CASE(
   double worst_N_per_m = 0.0;
   for (int row = 0; row < field.rows; ++row)
     for (int column = 0; column < field.columns; ++column) {
-      std::vector<double> heights;
-      for (const Sphere& s : molecule.spheres) {
-        const Vec3 c = field.frame.toScan(s.centre_A);
-        const double d = std::hypot(field.spacing_A * column - c.x, field.spacing_A * row - c.y),
-                     reach = s.radius_A + 5;
-        if (d < reach) heights.push_back(c.z - 5 + std::sqrt(reach * reach - d * d));
-      }
+      const std::vector<double> heights = heightsOver(molecule, field, column, row);
       const double z = field.at(column, row);
       if (z <= 1e-9) continue;  // on the substrate
       double force_pN = 0.0;

@@ -2,7 +2,7 @@
 // changed. The command is a restart, whose execution the frame reports. Then the latencies of a window of 60 frames per
 // second, which reads the hand, sends the command and draws the newest positions once per frame: from a step of the hand,
 // at any time between two frames, to the start of the frame that draws it; and to the felt atoms, which follow by 63 % with
-// the window's filter and a piece of motion (LiveMolecule::kSmooth_s and kStep_ticks). Last the time for which a window that
+// the window's filter and a piece of motion (engine/dynamics/felt_atoms.h). Last the time for which a window that
 // closes during a relaxation waits.
 // Run: build/release/simulation_benchmark [--chart FILE.svg] MOLECULE...   (prepared by `moltact simulate prepare`)
 #include <algorithm>
@@ -18,6 +18,7 @@
 
 #include "engine/bench/chart_svg.h"
 #include "engine/core/random.h"
+#include "engine/dynamics/felt_atoms.h"
 #include "engine/dynamics/simulation_engines.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/molecule/catalogue.h"
@@ -31,8 +32,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kCommands = 100, kClosings = 10;
 constexpr auto kFrame = std::chrono::microseconds(16'667);
-// As in app/ui/extensions/live_molecule.h.
-constexpr double kSmooth_ms = 40.0, kMotion_ms = 16.0;
+constexpr double kMotion_ms = 1e3 * kFeltStep_s;
 
 struct Latency {
   std::size_t atoms = 0;
@@ -76,7 +76,7 @@ void measureWindow(SimulationThread& simulation, SimulationCommand& command, con
     // Each frame moves the felt atoms by a share of what is left, in a motion that begins then.
     double felt = 0.0, more_ms = kMotion_ms;
     for (; felt < 1.0 - std::exp(-1.0); more_ms += milliseconds(kFrame))
-      felt += (1.0 - felt) * (1.0 - std::exp(-milliseconds(kFrame) / kSmooth_ms));
+      felt += (1.0 - felt) * feltShare(1e-3 * milliseconds(kFrame));
     force_ms.push_back(drawn_ms + more_ms - milliseconds(kFrame));
   }
   const Latency l{atoms, quantile(picture_ms, 0.5), quantile(picture_ms, 0.99), quantile(force_ms, 0.5),

@@ -8,17 +8,14 @@
 #include <cmath>
 #include <deque>
 
-#include "engine/dynamics/openmm_engine.h"
-#include "engine/platform/folders.h"
-#include "engine/platform/read_file.h"
-#include "tests/dynamics/networks.h"
+#include "engine/dynamics/felt_atoms.h"
+#include "tests/dynamics/shipped_system.h"
 
 using namespace moltact;
 
 namespace {
 
-constexpr int kStep_ticks = 16;
-constexpr double kTick_seconds = 1e-3, kSmooth_seconds = 0.04, kSimulated_ps_per_s = 1.0;
+constexpr double kSimulated_ps_per_s = 1.0;
 
 struct Turns {
   double least = 1e300;  // the work of the hand in a turn after the first one (kcal/mol)
@@ -32,7 +29,7 @@ Turns ledRound(MdEngine& engine, std::size_t atom, double spring, int late_steps
   const Vec3 taken = engine.positions_A()[atom];
   Vec3 smooth = taken, felt_from = taken, felt_to = taken;
   std::deque<Vec3> late(std::size_t(late_steps), taken);
-  const int ticks = int(std::lround(period_s / kTick_seconds));
+  const int ticks = int(std::lround(period_s * kFeltStep_ticks / kFeltStep_s));
   Turns out;
   Vec3 hand(0.0), force(0.0);
   constexpr int kTurns = 4;
@@ -43,7 +40,7 @@ Turns ledRound(MdEngine& engine, std::size_t atom, double spring, int late_steps
     const Vec3 next = radius_A * Vec3(1.0 - std::cos(angle), std::sin(angle), 0.5 * std::sin(2.0 * angle));
     // The force on the hand, at the mean of its values before and after the tick.
     ++in_step;
-    const Vec3 felt = felt_from + (felt_to - felt_from) * (double(in_step) / kStep_ticks);
+    const Vec3 felt = felt_from + (felt_to - felt_from) * (double(in_step) / kFeltStep_ticks);
     const Vec3 after = spring * (felt - taken - next);
     work -= glm::dot(0.5 * (force + after), next - hand);
     hand = next;
@@ -55,13 +52,12 @@ Turns ledRound(MdEngine& engine, std::size_t atom, double spring, int late_steps
         out.least = std::min(out.least, work);
       work = 0.0;
     }
-    if (in_step < kStep_ticks) continue;
+    if (in_step < kFeltStep_ticks) continue;
     in_step = 0;
     const AtomPush grip{std::uint32_t(atom), taken + hand, Vec3(0.0), spring};
     REQUIRE(engine.push(std::array{grip}).empty());
-    const double dt_s = kStep_ticks * kTick_seconds;
-    REQUIRE(engine.advance(int(std::lround(dt_s * kSimulated_ps_per_s / engine.step_ps()))).empty());
-    smooth += (1.0 - std::exp(-dt_s / kSmooth_seconds)) * (engine.positions_A()[atom] - smooth);
+    REQUIRE(engine.advance(int(std::lround(kFeltStep_s * kSimulated_ps_per_s / engine.step_ps()))).empty());
+    smooth += feltShare(kFeltStep_s) * (engine.positions_A()[atom] - smooth);
     late.push_back(smooth);
     felt_from = felt_to;
     felt_to = late.front();
@@ -76,21 +72,11 @@ Turns ledRound(MdEngine& engine, std::size_t atom, double spring, int late_steps
 TEST_CASE(
     "a hand that pulls an atom of alanine dipeptide round closed paths by springs of 0.5 to 20 kcal/mol/A^2, in 2 "
     "and 4 s felt one to three steps late, in 1 s one or two steps late: in no turn does it get energy") {
-  MdStart start;
-  auto text = readFile(moleculesFolder() / "alanine-dipeptide.xml", 1 << 20, "");
-  REQUIRE(text);
-  start.system = *std::move(text);
-  for (const Sphere& s : test::libraryMolecule("alanine-dipeptide.pdb").spheres)
-    start.positions_A.push_back(s.centre_A);
-  start.platform = "Reference";
+  MdStart start = test::shippedSystem();
   start.temperature_K = 0.0;
   start.hold_kcal_mol_A2 = 5.0;
-  auto made = openMMEngine(start, "test.xml");
-  if (!made) {
-    if (made.problem().message.find("cannot be loaded") == std::string::npos) FAIL(made.problem().text());
-    MESSAGE("not run: ", made.problem().text());
-    return;
-  }
+  const auto made = test::engineOf(start);
+  if (!made) return;
   double least = 1e300;
   for (const double spring : {0.5, 2.0, 8.0, 20.0})
     for (const int late_steps : {1, 2, 3})
@@ -100,7 +86,7 @@ TEST_CASE(
         CAPTURE(period_s);
         // Three steps late, a path in 1 s gives up to 0.11 kcal/mol in a turn (docs/simulation.md).
         const bool passive = late_steps < 3 || period_s > 1.0;
-        const Turns turns = ledRound(**made, 4, spring, late_steps, period_s, 0.5);
+        const Turns turns = ledRound(*made, 4, spring, late_steps, period_s, 0.5);
         if (passive) CHECK(turns.least > 0.0);
         CHECK(turns.least > -0.2);
         CHECK(turns.farthest_A < 5.0);  // no oscillation grows

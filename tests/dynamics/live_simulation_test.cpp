@@ -22,6 +22,7 @@ class Straight final : public MdEngine {
   double step_ps() const override { return kStep_ps; }
   std::string_view platform() const override { return "straight"; }
   double measured_steps_per_s() const override { return 0.0; }
+  std::span<const PlatformRate> measured() const override { return {}; }
   std::string push(std::span<const AtomPush> pushes) override {
     pushed = pushes.size();
     return {};

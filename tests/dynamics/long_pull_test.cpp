@@ -12,16 +12,14 @@
 #include <thread>
 
 #include "engine/core/random.h"
-#include "engine/dynamics/openmm_engine.h"
 #include "engine/dynamics/simulation_engines.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/molecule/reader.h"
-#include "engine/platform/folders.h"
-#include "engine/platform/read_file.h"
-#include "tests/dynamics/networks.h"
+#include "tests/dynamics/shipped_system.h"
 #include "tests/resident_memory.h"
 
 using namespace moltact;
+using namespace moltact::test;
 
 namespace {
 
@@ -33,14 +31,6 @@ struct Draws {
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
 };
-
-// Null with a message where OpenMM is missing.
-std::unique_ptr<MdEngine> madeOf(Expected<std::unique_ptr<MdEngine>> made) {
-  if (made) return *std::move(made);
-  if (made.problem().message.find("cannot be loaded") == std::string::npos) FAIL(made.problem().text());
-  MESSAGE("not run: ", made.problem().text());
-  return nullptr;
-}
 
 // A chain of 12 u with springs of 100 kcal/mol/A^2 between neighbours, which begins crumpled.
 MdStart chainOf(std::size_t atoms) {
@@ -65,17 +55,6 @@ MdStart chainOf(std::size_t atoms) {
   return start;
 }
 
-MdStart dipeptide() {
-  MdStart start;
-  auto text = readFile(moleculesFolder() / "alanine-dipeptide.xml", 1 << 20, "");
-  REQUIRE(text);
-  start.system = *std::move(text);
-  for (const Sphere& s : test::libraryMolecule("alanine-dipeptide.pdb").spheres)
-    start.positions_A.push_back(s.centre_A);
-  start.platform = "Reference";
-  return start;
-}
-
 // The first relaxation waits until the window closes; all iterations that were asked for are counted.
 struct Closing {
   std::atomic<bool> relaxing{false}, closes{false};
@@ -90,6 +69,7 @@ class Watched final : public MdEngine {
   std::string_view platform() const override { return engine_->platform(); }
   std::string name() const override { return engine_->name(); }
   double measured_steps_per_s() const override { return engine_->measured_steps_per_s(); }
+  std::span<const PlatformRate> measured() const override { return engine_->measured(); }
   std::string push(std::span<const AtomPush> pushes) override { return engine_->push(pushes); }
   std::string setTemperature(double kelvin) override { return engine_->setTemperature(kelvin); }
   std::string advance(int steps) override { return engine_->advance(steps); }
@@ -116,7 +96,7 @@ TEST_CASE(
     "a window that closes during a relaxation of 5000 atoms, the most that are simulated, waits for the 50 iterations "
     "of the present slice and not for 500") {
   MdStart start = chainOf(kMaxSimulated);
-  auto engine = madeOf(openMMEngine(start, "chain.xml"));
+  auto engine = engineOf(start);
   if (!engine) return;
   Closing closing;
   auto simulation = std::make_unique<SimulationThread>(std::make_unique<Watched>(std::move(engine), closing));
@@ -133,14 +113,14 @@ TEST_CASE(
     "relaxed in slices of 50 iterations the shipped system reaches the minimum of one call of 500: energies within "
     "0.01 "
     "kcal/mol") {
-  const MdStart start = dipeptide();
-  auto whole = madeOf(openMMEngine(start, "test.xml"));
+  const MdStart start = shippedSystem();
+  auto whole = engineOf(start);
   if (!whole) return;
   const double before = whole->energies().potential_kcal_mol;
   REQUIRE(whole->advance(2000).empty());
   REQUIRE(whole->relax(SimulationRun::kRelaxIterations).empty());
   const double once = whole->energies().potential_kcal_mol;
-  auto engine = madeOf(openMMEngine(start, "test.xml"));
+  auto engine = engineOf(start);
   MdEngine* const sliced = engine.get();
   REQUIRE(sliced->advance(2000).empty());
   SimulationRun run(std::move(engine));
@@ -172,10 +152,10 @@ TEST_CASE(
     atoms = molecule->atoms.size();
     engine = madeOf(simulationOf(systemBeside(key.file), *molecule, {}));
   } else {
-    engine = madeOf(openMMEngine(dipeptide(), "test.xml"));
+    engine = engineOf(shippedSystem());
   }
   if (!engine) return;
-  if (!test::residentMemory()) {
+  if (!residentMemory()) {
     MESSAGE("not run: the system does not say how much memory is resident");
     return;
   }
@@ -212,7 +192,7 @@ TEST_CASE(
     if (random.uniform(0.0, 1.0) < 0.1) ++wanted.restarts, ++restarts;
     simulation.command(wanted);
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    const double now_MB = test::residentMemory()->now_MB;
+    const double now_MB = residentMemory()->now_MB;
     if (elapsed() < 0.1 * seconds) settled_MB = std::max(settled_MB, now_MB);
     if (settled_MB == 0.0) settled_MB = now_MB;
     most_MB = std::max(most_MB, now_MB);

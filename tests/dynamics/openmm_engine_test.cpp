@@ -13,9 +13,10 @@
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/read_file.h"
-#include "tests/dynamics/networks.h"
+#include "tests/dynamics/shipped_system.h"
 
 using namespace moltact;
+using namespace moltact::test;
 
 namespace {
 
@@ -35,30 +36,6 @@ std::string systemOf(const std::vector<double>& masses, const std::string& force
 std::string bond(double length_nm, double k) {
   return "<Force forceGroup=\"0\" type=\"HarmonicBondForce\" usesPeriodic=\"0\" version=\"2\"><Bonds><Bond d=\"" +
          std::to_string(length_nm) + "\" k=\"" + std::to_string(k) + "\" p1=\"0\" p2=\"1\"/></Bonds></Force>";
-}
-
-// Null with a message where OpenMM is missing.
-std::unique_ptr<MdEngine> engineOf(const MdStart& start) {
-  auto made = openMMEngine(start, "test.xml");
-  if (made) return *std::move(made);
-  if (made.problem().message.find("cannot be loaded") == std::string::npos) FAIL(made.problem().text());
-  MESSAGE("not run: ", made.problem().text());
-  return nullptr;
-}
-
-std::string shippedSystem() {
-  auto text = readFile(moleculesFolder() / "alanine-dipeptide.xml", 1 << 20, "");
-  REQUIRE(text);
-  return *std::move(text);
-}
-
-MdStart shipped() {
-  MdStart start;
-  start.system = shippedSystem();
-  for (const Sphere& s : test::libraryMolecule("alanine-dipeptide.pdb").spheres)
-    start.positions_A.push_back(s.centre_A);
-  start.platform = "Reference";
-  return start;
 }
 
 }  // namespace
@@ -211,7 +188,7 @@ TEST_CASE("the centre of mass is held: pushed with 2 kcal/mol/A, a free atom of 
 }
 
 TEST_CASE("equipartition: alanine dipeptide in a bath of 300 K has 300 K within four of its sampling errors") {
-  MdStart start = shipped();
+  MdStart start = shippedSystem();
   start.seed = 20261126;
   MESSAGE("seed ", start.seed);
   const auto engine = engineOf(start);
@@ -236,7 +213,7 @@ TEST_CASE("equipartition: alanine dipeptide in a bath of 300 K has 300 K within 
 TEST_CASE(
     "without a bath the shipped system conserves its energy: 19 ps at 1 fs drift by less than 0.02 kcal/mol, a "
     "thousandth of its heat") {
-  MdStart start = shipped();
+  MdStart start = shippedSystem();
   start.friction_per_ps = 0.0;
   const double heat = 54 * 0.5 * kBoltzmann_kcal_mol_K * 300.0;
   // The drift of the mean over `window_ps` from one such window to the next one `ps` later, in kcal/mol.
@@ -268,42 +245,57 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the platform that is chosen at the start has been measured to make more than 0 steps per second, and a platform "
-    "that is named is not measured") {
-  const MdStart start = shipped();
+    "the platform that is chosen at the start is the fastest by the steps per second that the engine measured of each, "
+    "and makes at least a third of the steps of any other in a measurement of this test") {
+  const MdStart start = shippedSystem();
   MdStart any = start;
   any.platform.clear();
   const auto chosen = engineOf(any);
   if (!chosen) return;
+  const auto measured = chosen->measured();
+  REQUIRE_FALSE(measured.empty());
+  const auto fastest = std::max_element(measured.begin(), measured.end(),
+                                        [](const auto& a, const auto& b) { return a.steps_per_s < b.steps_per_s; });
+  CHECK(fastest->platform == chosen->platform());
+  CHECK(fastest->steps_per_s == chosen->measured_steps_per_s());
   CHECK(chosen->measured_steps_per_s() > 0.0);
+  // The best of three times 0.1 s.
   const auto rateOf = [](MdEngine& engine) {
     using Clock = std::chrono::steady_clock;
-    const auto began = Clock::now();
-    int steps = 0;
-    double took_s = 0.0;
-    for (; took_s < 0.1; steps += 10) {
-      REQUIRE(engine.advance(10).empty());
-      engine.positions_A();
-      took_s = std::chrono::duration<double>(Clock::now() - began).count();
+    double best = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const auto began = Clock::now();
+      int steps = 0;
+      double took_s = 0.0;
+      for (; took_s < 0.1; steps += 10) {
+        REQUIRE(engine.advance(10).empty());
+        engine.positions_A();
+        took_s = std::chrono::duration<double>(Clock::now() - began).count();
+      }
+      best = std::max(best, steps / took_s);
     }
-    return steps / took_s;
+    return best;
   };
-  MESSAGE("chosen: ", chosen->platform(), " ", rateOf(*chosen), " steps per second");
-  int named_ones = 0;
+  const double rate = rateOf(*chosen);
   for (const char* platform : {"Reference", "CPU", "OpenCL", "CUDA"}) {
     MdStart named = start;
     named.platform = platform;
     auto other = openMMEngine(named, "test.xml");
+    const auto found =
+        std::find_if(measured.begin(), measured.end(), [&](const auto& m) { return m.platform == platform; });
+    CHECK(bool(other) == (found != measured.end()));
     if (!other) continue;  // not installed, or no such card
-    ++named_ones;
+    CHECK((*other)->measured().empty());
     CHECK((*other)->measured_steps_per_s() == 0.0);
-    MESSAGE(named.platform, " ", rateOf(**other), " steps per second");
+    const double others = rateOf(**other);
+    MESSAGE(platform, ": ", found->steps_per_s, " steps per second measured at the start, ", others, " here; ", rate,
+            " of the chosen one, ", chosen->platform());
+    CHECK(rate > others / 3.0);
   }
-  CHECK(named_ones >= 1);
 }
 
 TEST_CASE("the same seed gives the same atoms to the last bit, another seed others; a restart begins again") {
-  MdStart start = shipped();
+  MdStart start = shippedSystem();
   const auto ends = [&](std::uint32_t seed) -> std::optional<Vec3> {
     start.seed = seed;
     const auto engine = engineOf(start);
@@ -324,7 +316,7 @@ TEST_CASE("the same seed gives the same atoms to the last bit, another seed othe
 }
 
 TEST_CASE("steps ten times too long blow the shipped system up: the run says so, and starts again from finite places") {
-  MdStart start = shipped();
+  MdStart start = shippedSystem();
   start.step_ps = 0.04;
   auto engine = engineOf(start);
   if (!engine) return;
@@ -339,7 +331,7 @@ TEST_CASE("steps ten times too long blow the shipped system up: the run says so,
 }
 
 TEST_CASE("a simulation on its own thread: pushed atoms follow a command, and closing it ends the thread") {
-  MdStart start = shipped();
+  MdStart start = shippedSystem();
   auto engine = engineOf(start);
   if (!engine) return;
   SimulationThread thread(std::move(engine));
@@ -363,7 +355,7 @@ TEST_CASE("a simulation on its own thread: pushed atoms follow a command, and cl
 }
 
 TEST_CASE("what cannot be simulated is a problem with its remedy: no XML, another number of atoms, no such platform") {
-  MdStart start = shipped();
+  MdStart start = shippedSystem();
   if (!engineOf(start)) return;
   const auto problem = [&](const MdStart& s) {
     const auto made = openMMEngine(s, "x.xml");
@@ -386,7 +378,7 @@ TEST_CASE("what cannot be simulated is a problem with its remedy: no XML, anothe
 }
 
 TEST_CASE("masses tell whether the atoms are the molecule's: the shipped ones fit, two exchanged atoms do not") {
-  const Molecule molecule = test::libraryMolecule("alanine-dipeptide.pdb");
+  const Molecule molecule = libraryMolecule("alanine-dipeptide.pdb");
   // Of the shipped system: hydrogens of 4 u, whose neighbours are lighter by 2.992 u for each.
   std::vector<double> masses;
   for (const double m : {3.034, 4.0, 4.0, 4.0,   12.01, 16.0,   11.018, 4.0,   9.018, 4.0, 3.034,

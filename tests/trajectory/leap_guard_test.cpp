@@ -19,7 +19,6 @@ using namespace moltact;
 namespace {
 
 constexpr double kCell_A = 20.0, kProbe_A = 1.4, kIon_A = 1.5;
-constexpr int kPiece = 33;
 
 // An atom at rest far below, and an ion.
 std::vector<Sphere> withIon(double x_A) { return {{Vec3(0, 0, -30), 1.7}, {Vec3(x_A, 0, 0), kIon_A}}; }
@@ -31,28 +30,30 @@ struct Played {
   ExactTracker tracker;
   std::unique_ptr<const SphereMotion> motion;
   Vec3 hand;
+  int ticks;                              // of a piece
   double greatest_A = 0.0, last_A = 0.0;  // displacement of the SCP from the hand: so far, and in the last tick
   bool touching = false;
   std::vector<Sphere> now;
 
-  Played(double x_A, const Vec3& at) : tracker(std::make_shared<SphereGrid>(withIon(x_A)), kProbe_A), hand(at) {
+  Played(double x_A, const Vec3& at, int piece_ticks = 33)
+      : tracker(std::make_shared<SphereGrid>(withIon(x_A)), kProbe_A), hand(at), ticks(piece_ticks) {
     now = withIon(x_A);
     guard.place(now);
     tracker.step({Vec3(at.x, at.y, 40)});
     tracker.step({at});
   }
   void piece(std::vector<Sphere> to, bool guarded = true) {
-    const auto occupied = [&](const Sphere& s) {
-      return glm::distance(hand, s.centre_A) < s.radius_A + kProbe_A + LeapGuard::kClear_A;
+    const auto occupied = [&](const Sphere& s, double room_A) {
+      return glm::distance(hand, s.centre_A) < s.radius_A + kProbe_A + room_A;
     };
-    if (guarded) REQUIRE(guard.step(to, 0.5 * kCell_A, occupied));
-    auto next = motion ? SphereMotion::after(*motion, to, kPiece) : SphereMotion::make(now, to, kPiece);
+    if (guarded) REQUIRE(guard.step(to, 0.5 * kCell_A, 1e-3 * ticks, occupied));
+    auto next = motion ? SphereMotion::after(*motion, to, ticks) : SphereMotion::make(now, to, ticks);
     REQUIRE(next);
     const auto before = std::move(motion);
     motion = *std::move(next);
     REQUIRE(tracker.setMotion(motion.get()));
-    for (int tick = 1; tick <= kPiece; ++tick) {
-      tracker.advanceTo(double(tick) / kPiece);
+    for (int tick = 1; tick <= ticks; ++tick) {
+      tracker.advanceTo(double(tick) / ticks);
       const Contact c = tracker.step({hand});
       touching = c.touching();
       last_A = glm::length(c.displacement_A);
@@ -88,6 +89,49 @@ TEST_CASE(
   played.hand = Vec3(9.5, 0, 2.5);
   played.piece(withIon(9.5));
   CHECK(played.last_A == doctest::Approx(kIon_A + kProbe_A - 2.5).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "an ion that comes back grows by 10 A/s whatever the length of a piece: in pieces of 20, 33 and 100 ms it has its "
+    "1.5 A after 150 ms and what is left of that piece; a room of 120 A/s in a piece and a frame stays free") {
+  for (const int ticks : {20, 33, 100}) {
+    CAPTURE(ticks);
+    Played played(-9.5, Vec3(0, 0, 25), ticks);
+    played.piece(withIon(9.5));  // shrinks
+    played.piece(withIon(9.5));  // goes
+    CHECK(played.now[1].radius_A == 0.0);
+    int pieces = 0;
+    while (played.guard.unsettled() && pieces < 50) {
+      const double before_A = played.now[1].radius_A;
+      played.piece(withIon(9.5));
+      ++pieces;
+      const double grown_A = played.now[1].radius_A - before_A, whole_A = 0.01 * ticks;
+      CHECK(grown_A == doctest::Approx(std::min(whole_A, kIon_A - before_A)));
+    }
+    CHECK(pieces == (150 + ticks - 1) / ticks);
+    // The room: (20, 33, 100 ms + 17 ms) of 120 A/s beyond the touch.
+    const double room_A = 0.12 * (ticks + 17), touch_A = kIon_A + kProbe_A;
+    for (const double beyond_A : {-0.01, 0.01}) {
+      Played near(-9.5, Vec3(9.5, 0, touch_A + room_A + beyond_A), ticks);
+      for (int k = 0; k < 3; ++k) near.piece(withIon(9.5));
+      CHECK((near.now[1].radius_A > 0.0) == (beyond_A > 0.0));
+    }
+  }
+}
+
+TEST_CASE(
+    "a way of 1 s to a far frame shows no ion before its end: the hand might come there meanwhile; then it grows in "
+    "pieces of 33 ms") {
+  Played played(-9.5, Vec3(0, 0, 12));
+  played.piece(withIon(9.5));
+  played.ticks = 990;
+  played.piece(withIon(9.5));
+  CHECK(played.now[1].radius_A == 0.0);
+  played.ticks = 33;
+  played.piece(withIon(9.5));
+  CHECK(played.now[1].radius_A == 0.0);
+  played.piece(withIon(9.5));
+  CHECK(played.now[1].radius_A == doctest::Approx(0.33));
 }
 
 TEST_CASE(

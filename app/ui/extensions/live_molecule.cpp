@@ -10,6 +10,7 @@
 #include "app/ui/extensions/displacement_text.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
+#include "engine/dynamics/felt_atoms.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/haptics/pull_spring.h"
@@ -366,8 +367,8 @@ void LiveMolecule::beforeTicks() {
   scene_.servo().loop().wantImpulses(true);
   takeOrLetGo();
   addImpulses();
-  if (ticks_ < kStep_ticks || !waiting_.empty()) {
-    if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+  if (ticks_ < kFeltStep_ticks || !waiting_.empty()) {
+    if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kFeltStep_ticks)) waiting_.clear();
     return drawNewest();
   }
   const double dt_s = double(ticks_) * kTick_s;
@@ -376,7 +377,7 @@ void LiveMolecule::beforeTicks() {
   simulation_->pass(dt_s);
   readFrame(dt_s);
   if (!simulation_) return;  // lost
-  if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+  if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kFeltStep_ticks)) waiting_.clear();
   drawNewest();
 }
 
@@ -425,7 +426,7 @@ void LiveMolecule::readFrame(double dt_s) {
     scene_.placeAtoms(own_, placed());
     return;
   }
-  const double share = 1.0 - std::exp(-dt_s / kSmooth_s);
+  const double share = feltShare(dt_s);
   double most_A = 0.0;
   for (std::size_t i = 0; i < smooth_A_.size(); ++i) {
     const Vec3 step = share * (frame_.positions_A[i] - smooth_A_[i]);

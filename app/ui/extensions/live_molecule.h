@@ -1,7 +1,8 @@
 // A molecule whose atoms a simulation moves (engine/dynamics/live_simulation.h): the hand's contacts push the atoms, and
 // the touched surface follows them. The simulation runs on a thread of its own, in a page in a worker; where the window's
 // clock is its frames, between frames. It may also run in another program (engine/dynamics/imd), on another computer only after the user has
-// agreed to the address. Window's thread. Units: angstrom, kcal/mol, picosecond, piconewton.
+// agreed to the address. The felt atoms follow it smoothed (engine/dynamics/felt_atoms.h); the drawn ones are where it has
+// them. Window's thread. Units: angstrom, kcal/mol, picosecond, piconewton.
 #pragma once
 
 #include <atomic>
@@ -28,11 +29,6 @@ class LiveMolecule : public AtomMover {
   static constexpr double kScale_pN_per_N = 250.0;
   /// The stiffest spring and the largest force with which the hand may push or pull atoms.
   static constexpr double kStiffest_kcal_mol_A2 = 100.0, kStrongest_pN = 2000.0;
-  /// The felt atoms follow the simulation with this time constant, so that the hand feels their thermal motion smoothed.
-  /// The drawn ones are where the simulation has them.
-  static constexpr double kSmooth_s = 0.04;
-  /// The hand's impulses are summed for this time: less than a frame of the screen at 60 frames a second.
-  static constexpr int kStep_ticks = 16;
   /// Stiffness of the spring that holds the centre of mass in place.
   static constexpr double kHold_kcal_mol_A2 = 5.0;
   static constexpr double kFriction_per_ps = 2.0;

@@ -290,14 +290,18 @@ double PlayedTrajectory::leapLimit_A(double at) const {
 // Hands over a piece of the motion, in which no atom flies through the periodic cell.
 bool PlayedTrajectory::move(std::vector<Sphere> to, double at, int ticks) {
   const double limit_A = leapLimit_A(at);
-  if (!(limit_A > 0.0) && !leaps_.unsettled()) return scene_.moveAtoms(own_, to, ticks);
+  if (!(limit_A > 0.0) && !leaps_.unsettled()) {
+    if (!scene_.moveAtoms(own_, to, ticks)) return false;
+    leaps_.place(to);
+    return true;
+  }
   const ServoSample& hand = scene_.log().latest();
   const HeldBody* body = scene_.stage().body.get();
   const PoseA pose = hand.shownBody();
   const double probe_A = scene_.servo_settings.probe_A;
-  const auto occupied = [&](const Sphere& sphere) {
+  const auto occupied = [&](const Sphere& sphere, double room_A) {
     const auto near = [&](const Vec3& place, double radius_A) {
-      return glm::distance(place, sphere.centre_A) < sphere.radius_A + radius_A + LeapGuard::kClear_A;
+      return glm::distance(place, sphere.centre_A) < sphere.radius_A + radius_A + room_A;
     };
     if (!body) return near(hand.hip.A, probe_A) || near(hand.contact.scp.A, probe_A);
     if (!near(pose.place.A, body->reach_A)) return false;
@@ -305,46 +309,24 @@ bool PlayedTrajectory::move(std::vector<Sphere> to, double at, int ticks) {
                        [&](const Sphere& s) { return near(pose.place.A + pose.orientation * s.centre_A, s.radius_A); });
   };
   LeapGuard next = leaps_;
-  next.step(to, limit_A, occupied);
+  next.step(to, limit_A, ticks * kTick_s, occupied);
   if (!scene_.moveAtoms(own_, to, ticks)) return false;
   leaps_ = std::move(next);
   return true;
 }
 
-// The place after `dt_s`; empty at the end. Turns round at an end.
-std::optional<double> PlayedTrajectory::next(double dt_s) {
-  const double low = double(first()), high = double(last());
-  if (high <= low) return std::nullopt;
-  double to = at_ + double(direction_) * per_s_ * dt_s;
-  switch (at_end) {
-    case AtEnd::Repeat:
-      direction_ = 1;
-      // While further frames are being found, the present last one is no end.
-      if (!complete_ && last() + 1 >= frames_ && to > high) return std::nullopt;
-      if (to >= high + 1.0) to -= high + 1.0 - low;
-      return to;
-    case AtEnd::Return:
-      if (to >= high && direction_ > 0) {
-        if (!complete_ && last() + 1 >= frames_) return std::nullopt;
-        direction_ = -1;
-        return high;
-      }
-      if (to <= low && direction_ < 0) {
-        direction_ = 1;
-        return low;
-      }
-      return to;
-    case AtEnd::Stop:
-      direction_ = 1;
-      if (to < high) return to;
-      if (!complete_ && last() + 1 >= frames_) return std::nullopt;
-      if (at_ >= high) {
-        running_ = false;
-        return std::nullopt;
-      }
-      return high;
-  }
-  return std::nullopt;
+// The next piece of the motion.
+void PlayedTrajectory::playOn() {
+  // While further frames are being found, the present last one is no end.
+  const FrameRange range{double(first()), double(last()), complete_ || last() + 1 < frames_};
+  const FrameStep next = nextPlace({at_, direction_}, per_s_ * piece_ticks() * kTick_s, range, at_end);
+  if (next.ends) running_ = false;
+  if (!next.to) return;
+  auto spheres = spheresAt(next.to->at);
+  // A motion can only be queued after the previous one has begun.
+  if (!spheres || !move(*std::move(spheres), next.to->at, piece_ticks())) return;
+  at_ = next.to->at;
+  direction_ = next.to->direction;
 }
 
 // Moves the atoms straight to the chosen frame, at a speed that the hand can follow.
@@ -415,16 +397,7 @@ void PlayedTrajectory::beforeTicks() {
   }
   if (!running_ && leaps_.unsettled() && own_.claim())
     if (auto spheres = spheresAt(at_)) move(*std::move(spheres), at_, piece_ticks());
-  if (!running_ || !own_.claim()) return;
-  const int direction = direction_;
-  const std::optional<double> to = next(piece_ticks() * kTick_s);
-  if (!to) return;
-  auto spheres = spheresAt(*to);
-  // A motion can only be queued after the previous one has begun.
-  if (spheres && move(*std::move(spheres), *to, piece_ticks()))
-    at_ = *to;
-  else
-    direction_ = direction;
+  if (running_ && own_.claim()) playOn();
 }
 
 std::optional<AtomsMoved> PlayedTrajectory::position() const {
@@ -453,7 +426,7 @@ void PlayedTrajectory::show(const MotionSource& source, const AtomsMoved& positi
   smoothing_ = std::min(smoothing, kMaxSmoothing);
   const double wanted =
       std::isfinite(position.position) ? std::clamp(position.position - 1.0, 0.0, double(frames_)) : 0.0;
-  const bool there = started_ && at_ == wanted && !shown_;
+  const bool there = started_ && at_ == wanted && !shown_ && !leaps_.unsettled();
   if (there) return;
   shown_ = wanted;
   running_ = false;

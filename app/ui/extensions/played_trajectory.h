@@ -17,6 +17,7 @@
 #include "app/ui/extensions/atom_mover.h"
 #include "engine/platform/background.h"
 #include "engine/trajectory/frame_store.h"
+#include "engine/trajectory/frame_walk.h"
 #include "engine/trajectory/leap_guard.h"
 
 namespace moltact {
@@ -40,8 +41,7 @@ class PlayedTrajectory : public AtomMover {
   /// The survey of a trajectory reads at most so many frames.
   static constexpr std::size_t kMaxSurveyed = 400;
 
-  /// What follows on the last frame: nothing; the way back; the first one, to which the atoms move as to any next frame.
-  enum class AtEnd { Stop, Return, Repeat };
+  using AtEnd = moltact::AtEnd;
 
   bool open(FileKind kind, const std::filesystem::path& file) override;
   void sceneChanged() override;
@@ -118,8 +118,8 @@ class PlayedTrajectory : public AtomMover {
   std::optional<std::vector<Sphere>> spheresAt(double at) const;
   double leapLimit_A(double at) const;
   bool move(std::vector<Sphere> to, double at, int ticks);
-  std::optional<double> next(double dt_s);
   bool seek();
+  void playOn();
   void paintFluctuation();
 
   std::filesystem::path file_;
