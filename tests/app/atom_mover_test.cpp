@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Frame k lifts the atom number i by k^2 times the height, the odd atoms by twice as much.
-class Frames final : public AtomMover {
+class AtomMoverFrames final : public AtomMover {
  public:
   using AtomMover::AtomMover;
   static constexpr double kLast = 3.0, kHeight_A = 0.5, kPerFrame_s = 0.5;
@@ -190,7 +190,7 @@ TEST_CASE(
   {
     const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
     Application& app = user->app();
-    Frames& frames = app.extensions().movers.add<Frames>();
+    AtomMoverFrames& frames = app.extensions().movers.add<AtomMoverFrames>();
     user->frames(10);
     CHECK(app.extensions().movers.present() == &frames);
     CHECK_FALSE(app.extensions().movers.get<MovingStates>().position());
@@ -198,7 +198,7 @@ TEST_CASE(
     app.lesson.session()->openHints(1);
     user->frames(5);
     REQUIRE_FALSE(app.lesson.session()->taskDone(0, 0));
-    frames.wanted = Frames::kLast;
+    frames.wanted = AtomMoverFrames::kLast;
     user->frames(240);
     for (std::size_t i = 0; i < 6; ++i) CHECK(z(*user, i) == doctest::Approx(first[i] + (i % 2 ? 9.0 : 4.5)));
     // The hand meets the atoms where they are now.
@@ -230,13 +230,13 @@ TEST_CASE(
       at = moved->position;
       if (at > 1.0 && at < 2.5) middle_s = e.t_s, middle = at;
     }
-  CHECK(at == Frames::kLast);
+  CHECK(at == AtomMoverFrames::kLast);
   CHECK(lines > 4);
   REQUIRE(middle_s > 0.0);
 
   {
     const auto user = startWith("1ubq", smallWindow({}));
-    Frames& frames = user->app().extensions().movers.add<Frames>();
+    AtomMoverFrames& frames = user->app().extensions().movers.add<AtomMoverFrames>();
     user->app().open(file);
     user->app().finishLoading();
     user->frames(5);
@@ -247,12 +247,12 @@ TEST_CASE(
       user->app().finishLoading();
       user->frames(5);
       for (std::size_t i = 0; i < 6; ++i)
-        CHECK(z(*user, i) == doctest::Approx(first[i] + Frames::lift_A(i, position)).epsilon(1e-4));
+        CHECK(z(*user, i) == doctest::Approx(first[i] + AtomMoverFrames::lift_A(i, position)).epsilon(1e-4));
     };
-    isAt(playback.timeline().length_s(), Frames::kLast);
+    isAt(playback.timeline().length_s(), AtomMoverFrames::kLast);
     isAt(middle_s + 1e-3, middle);
     isAt(0.1, 0.0);
-    isAt(playback.timeline().length_s(), Frames::kLast);
+    isAt(playback.timeline().length_s(), AtomMoverFrames::kLast);
     CHECK(frames.shown_detail == "lifted");
     // The playback owns the atoms.
     frames.wanted = 0.0;

@@ -5,7 +5,8 @@
 namespace moltact {
 namespace {
 
-const std::string kHead = "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n";
+const std::string kBodyInHandHead =
+    "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n";
 
 }  // namespace
 
@@ -14,7 +15,7 @@ TEST_CASE(
     "one "
     "body, and the next step puts them back for the probe") {
   Scratch scratch;
-  const auto file = scratch.file("mine.md", kHead +
+  const auto file = scratch.file("mine.md", kBodyInHandHead +
                                                 "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n"
                                                 "## Two\n```scene\nin-hand: none\n```\nText.\n");
   auto d = startWith(file.string());
@@ -68,8 +69,8 @@ TEST_CASE(
 
 TEST_CASE("a scene's key 'hand: springs' gives the body springs; the panel offers both ways, and a choice is undone") {
   Scratch scratch;
-  const auto file =
-      scratch.file("mine.md", kHead + "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\nhand: springs\n```\nText.\n");
+  const auto file = scratch.file(
+      "mine.md", kBodyInHandHead + "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\nhand: springs\n```\nText.\n");
   auto d = startWith(file.string());
   HapticSession& scene = d->app().scene;
   REQUIRE(scene.stage().body);
@@ -89,7 +90,8 @@ TEST_CASE(
     "a body that several of its atoms hold up is pressed by 0.05 to 0.65 N where a probe would be by 0.6, wherever and "
     "however it is turned") {
   Scratch scratch;
-  const auto file = scratch.file("mine.md", kHead + "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n");
+  const auto file =
+      scratch.file("mine.md", kBodyInHandHead + "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n");
   auto d = startWith(file.string());
   int several = 0;
   for (int place = 0; place < 12; ++place) {

@@ -13,7 +13,7 @@
 namespace moltact {
 namespace {
 
-ScriptedUser::Options keeping(const std::filesystem::path& settings) {
+ScriptedUser::Options deviceLessonKeeping(const std::filesystem::path& settings) {
   ScriptedUser::Options options;
   options.application.settings_file = settings;
   return options;
@@ -33,7 +33,7 @@ struct LibHd {
   void name(const char* file) { ::setenv("MOLTACT_LIBHD", file, 1); }
 };
 
-const char* kLesson = R"(---
+const char* kDeviceLesson = R"(---
 title: Held
 minutes: 5
 goals: Hold on.
@@ -65,7 +65,7 @@ TEST_CASE(
     "back, and the step is the same") {
   const Scratch scratch;
   auto d = startWith("");
-  const std::string script = "open " + scratch.file("held.md", kLesson).string() + R"(
+  const std::string script = "open " + scratch.file("held.md", kDeviceLesson).string() + R"(
 key Alt+Right
 expect lesson/step Press
 key Ctrl+D
@@ -104,18 +104,18 @@ TEST_CASE("a device that was chosen is in use at the next start; the mouse that 
   const Scratch scratch;
   const auto file = scratch.folder / "settings.json";
   {
-    auto d = startWith("1ubq", keeping(file));
+    auto d = startWith("1ubq", deviceLessonKeeping(file));
     CHECK(d->text("status/device") == "Mouse");
     d->app().extensions().device.choose("simulated");
     d->frames(2);
   }
   {
-    auto d = startWith("1ubq", keeping(file));
+    auto d = startWith("1ubq", deviceLessonKeeping(file));
     CHECK(d->text("status/device") == "Simulated stylus");
     d->app().extensions().device.choose("mouse");
     d->frames(2);
   }
-  auto d = startWith("1ubq", keeping(file));
+  auto d = startWith("1ubq", deviceLessonKeeping(file));
   CHECK(d->text("status/device") == "Mouse");
 }
 
@@ -125,7 +125,7 @@ TEST_CASE(
   const Scratch scratch;
   const auto file = scratch.file("settings.json", R"({"device": "omni"})");
   LibHd lib("/nowhere/libHD.so");
-  auto d = startWith("1ubq", keeping(file));
+  auto d = startWith("1ubq", deviceLessonKeeping(file));
   CHECK(d->text("status/device") == "Mouse");
   CHECK(reported(*d, "Phantom Omni or Touch is not there"));
   CHECK(reported(*d, "Until it is, the mouse leads."));
@@ -146,14 +146,14 @@ TEST_CASE(
     "forgotten") {
   const Scratch scratch;
   {
-    auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "spacemouse"})")));
+    auto d = startWith("1ubq", deviceLessonKeeping(scratch.file("settings.json", R"({"device": "spacemouse"})")));
     CHECK_FALSE(d->app().extensions().device.awaited().empty());
     d->app().extensions().device.choose("mouse");
     d->frames(1);
     CHECK(d->app().extensions().device.awaited().empty());
     CHECK(d->app().settings.device == "mouse");
   }
-  auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "ouija"})")));
+  auto d = startWith("1ubq", deviceLessonKeeping(scratch.file("settings.json", R"({"device": "ouija"})")));
   CHECK(d->app().extensions().device.awaited().empty());
   CHECK_FALSE(reported(*d, "is not there"));
   CHECK(d->text("status/device") == "Mouse");
@@ -256,7 +256,7 @@ TEST_CASE(
   const auto file = scratch.folder / "settings.json";
   const std::string number = std::to_string(there.port());
   {
-    auto d = startWith("1ubq", keeping(file));
+    auto d = startWith("1ubq", deviceLessonKeeping(file));
     d->tap("Ctrl+D");
     d->frames(3);
     const auto write = [&](const std::string& text) {
@@ -279,7 +279,7 @@ TEST_CASE(
     CHECK(there.hosts == 1);  // opening connects once
   }
   {
-    auto d = startWith("1ubq", keeping(file));
+    auto d = startWith("1ubq", deviceLessonKeeping(file));
     d->frames(3);
     CHECK(d->text("status/device") == "Device of the open layout, over a network");
     CHECK(there.hosts == 2);
@@ -287,14 +287,14 @@ TEST_CASE(
     d->frames(2);
   }
   {
-    auto d = startWith("1ubq", keeping(file));
+    auto d = startWith("1ubq", deviceLessonKeeping(file));
     d->tap("Ctrl+D");
     d->frames(3);
     CHECK(d->text("status/device") == "Mouse");
     CHECK(d->text("device/open-tcp/address") == number);
   }
   // Named at the start it leads, and what was chosen stays chosen.
-  auto options = keeping(file);
+  auto options = deviceLessonKeeping(file);
   options.application.device = "open-tcp:" + number;
   auto d = startWith("1ubq", options);
   d->frames(3);

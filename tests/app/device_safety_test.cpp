@@ -81,7 +81,7 @@ std::string message(ScriptedUser& d, const std::string& part) {
   return {};
 }
 
-bool reported(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
+bool deviceSafetyReported(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
 
 }  // namespace
 
@@ -322,7 +322,7 @@ TEST_CASE(
   d->app().scene.servo().setInteraction(pull(*d, 1.0));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
-  CHECK(reported(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
+  CHECK(deviceSafetyReported(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
   // Once, not in the notice below as well.
   CHECK_FALSE(contains(d->text("limits"), "calibrated"));
   CHECK(d->click(message(*d, "inkwell") + "/calibrate"));
@@ -338,14 +338,14 @@ TEST_CASE(
   CHECK(contains(d->text("limits"), "Put the stylus into the inkwell."));
   stylus.said = {};
   d->frames(150);
-  CHECK_FALSE(reported(*d, "inkwell"));
+  CHECK_FALSE(deviceSafetyReported(*d, "inkwell"));
   CHECK_FALSE(d->shows("limits"));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
   stylus.said = {};
   d->frames(20);
-  CHECK(reported(*d, "Led stylus is ready."));
-  CHECK_FALSE(reported(*d, "inkwell"));
+  CHECK(deviceSafetyReported(*d, "Led stylus is ready."));
+  CHECK_FALSE(deviceSafetyReported(*d, "inkwell"));
 }
 
 TEST_CASE("a fault that a device reports is displayed for as long as it lasts") {
@@ -353,10 +353,10 @@ TEST_CASE("a fault that a device reports is displayed for as long as it lasts") 
   Led& stylus = lead(*d);
   stylus.said.text = "The motors are too warm.";
   d->frames(20);
-  CHECK(reported(*d, "The motors are too warm."));
+  CHECK(deviceSafetyReported(*d, "The motors are too warm."));
   stylus.said.text.clear();
   d->frames(20);
-  CHECK_FALSE(reported(*d, "The motors are too warm."));
+  CHECK_FALSE(deviceSafetyReported(*d, "The motors are too warm."));
 }
 
 }  // namespace moltact

@@ -31,7 +31,8 @@ void save(const fs::path& file, const std::string& text) {
   fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++saves));
 }
 
-const std::string kHead = "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n";
+const std::string kLessonFileHead =
+    "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n";
 const std::string kOne = "## One\n```scene\nmolecule: argon\n```\nText.\n";
 const std::string kTwo = "## Two\nHere.\n### Question: How many?\n- [x] One → Yes.\n- [ ] Two → No.\n";
 
@@ -43,14 +44,14 @@ constexpr int kSeen_frames = 60;
 TEST_CASE("a lesson that is saved again is shown at once, on the same step and with what was answered") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
-  save(file, kHead + kOne + kTwo);
+  save(file, kLessonFileHead + kOne + kTwo);
   auto d = startWith(file.string());
   d->click("lesson/next");
   d->frames(3);
   d->app().lesson.session()->choose(0, {0});
   const auto camera = d->app().scene.camera.orientation;
   const auto discontinuities = d->app().scene.servo_settings.discontinuities;
-  save(file, kHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
+  save(file, kLessonFileHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
   d->frames(kSeen_frames);
   CHECK(d->text("lesson/step") == "Two");
   CHECK(d->text("lesson/place") == "Step 3 of 3");
@@ -60,7 +61,7 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
   CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
   CHECK(d->app().scene.camera.orientation == camera);
   // A mere touch of the file changes nothing.
-  save(file, kHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
+  save(file, kLessonFileHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
   d->frames(kSeen_frames);
   CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
 }
@@ -68,9 +69,9 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
 TEST_CASE("a step that gets another probe is set up again when the lesson is read again") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
-  save(file, kHead + kOne);
+  save(file, kLessonFileHead + kOne);
   auto d = startWith(file.string());
-  save(file, kHead + "## One\n```scene\nmolecule: argon\nprobe: 2 Å\n```\nText.\n");
+  save(file, kLessonFileHead + "## One\n```scene\nmolecule: argon\nprobe: 2 Å\n```\nText.\n");
   d->frames(kSeen_frames);
   CHECK(d->app().scene.servo_settings.probe_A == 2.0);
 }
@@ -78,7 +79,7 @@ TEST_CASE("a step that gets another probe is set up again when the lesson is rea
 TEST_CASE("what is done before and after a lesson is read again stands in one attempt") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md", attempts = scratch / "attempts";
-  save(file, kHead + kOne + kTwo);
+  save(file, kLessonFileHead + kOne + kTwo);
   ScriptedUser::Options options;
   options.application.attempts_folder = attempts;
   {
@@ -87,7 +88,7 @@ TEST_CASE("what is done before and after a lesson is read again stands in one at
     d->frames(3);
     d->app().lesson.session()->choose(0, {1});
     d->frames(3);
-    save(file, kHead + kOne + kTwo + "More text.\n");
+    save(file, kLessonFileHead + kOne + kTwo + "More text.\n");
     d->frames(kSeen_frames);
     REQUIRE(contains(d->text("message/0"), "Read again"));
     d->app().lesson.session()->choose(0, {0});
@@ -112,7 +113,7 @@ TEST_CASE(
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   const std::string task = "```touch\nsame: anywhere\nprobe: 3 Å\ntrials: 2\nfor: 0.2 s\nsay: S\n```\n";
-  save(file, kHead + kOne + task);
+  save(file, kLessonFileHead + kOne + task);
   auto d = startWith(file.string());
   // Whichever of a pair is felt with the other probe.
   for (int k = 0; k < 2 && d->app().scene.servo_settings.probe_A != 3.0; ++k) {
@@ -130,7 +131,7 @@ TEST_CASE(
   }
   REQUIRE(d->app().scene.servo_settings.probe_A == 3.0);
   // The task has been deleted.
-  save(file, kHead + kOne);
+  save(file, kLessonFileHead + kOne);
   d->frames(kSeen_frames);
   CHECK(d->app().scene.servo_settings.probe_A == 1.4);
 }
@@ -138,10 +139,10 @@ TEST_CASE(
 TEST_CASE("with errors the last good lesson stays and they are listed with line and remedy, until they are mended") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
-  save(file, kHead + kOne + kTwo);
+  save(file, kLessonFileHead + kOne + kTwo);
   auto d = startWith(file.string());
   CHECK_FALSE(d->shows("lesson-problems"));
-  save(file, kHead + kOne + "```touch\nreech: all\n```\n[x](#nowhere)\n");
+  save(file, kLessonFileHead + kOne + "```touch\nreech: all\n```\n[x](#nowhere)\n");
   d->frames(kSeen_frames);
   CHECK(d->text("lesson-problems") == "mine.md: 2 problems. You see the last good version");
   CHECK(d->text("lesson/place") == "Step 1 of 2");
@@ -150,7 +151,7 @@ TEST_CASE("with errors the last good lesson stays and they are listed with line 
   d->frames(2);
   CHECK(d->text("lesson-problem/0") == "Line 15: touch has no key 'reech'; did you mean 'reach'?");
   CHECK(d->text("lesson-problem/1") == "Line 17: the link '#nowhere' leads to no step; steps: one");
-  save(file, kHead + kOne + "```touch\nreach: all\nsay: S\n```\n");
+  save(file, kLessonFileHead + kOne + "```touch\nreach: all\nsay: S\n```\n");
   d->frames(kSeen_frames);
   CHECK_FALSE(d->shows("lesson-problems"));
   CHECK(d->text("lesson/place") == "Step 1 of 1");
@@ -161,7 +162,7 @@ TEST_CASE(
     "stays gone for 4 s is reported") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
-  save(file, kHead + kOne);
+  save(file, kLessonFileHead + kOne);
   auto d = startWith(file.string());
   fs::rename(file, scratch / "mine.md~");
   d->frames(60);
@@ -169,7 +170,7 @@ TEST_CASE(
   save(file, "");
   d->frames(60);
   CHECK_FALSE(d->shows("lesson-problems"));
-  save(file, kHead + kOne + kTwo);
+  save(file, kLessonFileHead + kOne + kTwo);
   d->frames(kSeen_frames);
   CHECK_FALSE(d->shows("lesson-problems"));
   CHECK(d->text("lesson/place") == "Step 1 of 2");
@@ -177,7 +178,7 @@ TEST_CASE(
   d->frames(4 * 60);
   CHECK(contains(d->text("lesson-problems"), "mine.md: 1 problem"));
   CHECK(d->text("lesson/place") == "Step 1 of 2");
-  save(file, kHead + kOne);
+  save(file, kLessonFileHead + kOne);
   d->frames(kSeen_frames);
   CHECK_FALSE(d->shows("lesson-problems"));
 }
@@ -185,14 +186,14 @@ TEST_CASE(
 TEST_CASE("a lesson that cannot be opened leaves the one that is open, lists why, and opens as soon as it is mended") {
   AuthorFolder scratch;
   const fs::path good = scratch / "good.md", bad = scratch / "bad.md";
-  save(good, kHead + kOne);
-  save(bad, kHead + "## Broken\n```scene\nmolecule: argon\n```\nText. [x](#y)\n");
+  save(good, kLessonFileHead + kOne);
+  save(bad, kLessonFileHead + "## Broken\n```scene\nmolecule: argon\n```\nText. [x](#y)\n");
   auto d = startWith(good.string());
   d->run("drop " + bad.string(), "script");
   d->frames(kSeen_frames);
   CHECK(d->text("lesson/step") == "One");
   CHECK(d->text("lesson-problems") == "bad.md cannot be opened: 1 problem");
-  save(bad, kHead + "## Mended\n```scene\nmolecule: argon\n```\nText.\n");
+  save(bad, kLessonFileHead + "## Mended\n```scene\nmolecule: argon\n```\nText.\n");
   d->frames(kSeen_frames);
   CHECK(d->text("lesson/step") == "Mended");
   CHECK_FALSE(d->shows("lesson-problems"));
@@ -208,7 +209,7 @@ TEST_CASE(
     "a lesson with an empty selection opens and says so; a picture that is put beside it mends it without a save") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
-  save(file, kHead + kOne + "![A ring](ring.png)\n\n```touch\nreach: protein\nsay: S\n```\n");
+  save(file, kLessonFileHead + kOne + "![A ring](ring.png)\n\n```touch\nreach: protein\nsay: S\n```\n");
   auto d = startWith(file.string());
   d->frames(kSeen_frames);
   CHECK(d->text("lesson/step") == "One");
@@ -269,7 +270,7 @@ TEST_CASE("an aside has no place in the row of steps, and its only button leads 
   AuthorFolder scratch;
   const fs::path file = scratch / "aside.md";
   save(file,
-       kHead +
+       kLessonFileHead +
            "## One\n```scene\nmolecule: argon\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## Two\nText.\n");
   auto d = startWith(file.string());
   CHECK(d->text("lesson/place") == "Step 1 of 2");

@@ -7,7 +7,7 @@
 namespace moltact {
 namespace {
 
-constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md";
+constexpr const char* kTasksLesson = MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md";
 
 LessonSession& session(ScriptedUser& d) { return *d.app().lesson.session(); }
 
@@ -49,7 +49,7 @@ void tell(ScriptedUser& d, const char* key) {
 }  // namespace
 
 TEST_CASE("a lesson with every kind of task and question is finished with the keyboard alone") {
-  auto d = startWith(kLesson);
+  auto d = startWith(kTasksLesson);
   REQUIRE(d->app().lesson.onStage());
   // Reach and press.
   CHECK_FALSE(d->app().lesson.session()->hintsOpen());
@@ -251,7 +251,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
 }
 
 TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wiping begins again") {
-  auto d = startWith(kLesson);
+  auto d = startWith(kTasksLesson);
   REQUIRE(session(*d).goTo("predict"));
   d->frames(10);
   CHECK(d->text("task/0/curve") == "empty");
@@ -268,7 +268,7 @@ TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wipin
 }
 
 TEST_CASE("with the mouse alone a place is found in the dark and a pair is judged") {
-  auto d = startWith(kLesson);
+  auto d = startWith(kTasksLesson);
   REQUIRE(session(*d).goTo("find"));
   d->frames(10);
   CHECK(d->shows("hidden in the dark"));
@@ -339,7 +339,7 @@ TEST_CASE("atoms that one of two things is without are not felt there, and are a
 }
 
 TEST_CASE("the scene is the lesson's again when a task that changed it is left half done") {
-  auto d = startWith(kLesson);
+  auto d = startWith(kTasksLesson);
   REQUIRE(session(*d).goTo("same-or-different"));
   d->frames(10);
   CHECK(d->shows("view/dark"));

@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-const std::string kHead =
+const std::string kLessonTextHead =
     "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
     "argon\n```\n";
 
@@ -25,7 +25,7 @@ struct OpenedText {
     Picture red{64, 32, std::vector<std::uint8_t>(std::size_t(3) * 64 * 32)};
     for (std::size_t k = 0; k < red.rgb.size(); k += 3) red.rgb[k] = 255;
     writePng(file("red.png"), red);
-    writeFile(file("l.md"), kHead + text);
+    writeFile(file("l.md"), kLessonTextHead + text);
     ScriptedUser::Options options;
     options.content_scale = scale;
     user = startWith({}, std::move(options));
@@ -104,7 +104,7 @@ TEST_CASE("the meaning closes with the step, and a lesson that is read again has
   user.click("lesson/back");
   user.frames(4);
   CHECK(!user.shows("lesson/0/meaning"));
-  writeFile(opened.file("l.md"), kHead + "Feel the pits and one crease.\n\n## Two\n\nText.\n");
+  writeFile(opened.file("l.md"), kLessonTextHead + "Feel the pits and one crease.\n\n## Two\n\nText.\n");
   user.frames(120);
   CHECK(user.shows("lesson/0/crease"));
 }

@@ -5,7 +5,7 @@
 namespace moltact {
 namespace {
 
-const char* kLesson = R"(---
+const char* kMagnifyLesson = R"(---
 title: Magnified
 minutes: 5
 goals: Feel a part larger.
@@ -135,7 +135,7 @@ TEST_CASE(
     "nothing") {
   const Scratch scratch;
   auto d = startWith("");
-  d->app().open(scratch.file("magnified.md", kLesson));
+  d->app().open(scratch.file("magnified.md", kMagnifyLesson));
   d->app().finishLoading();
   d->frames(10);
   d->app().lesson.next();
@@ -160,7 +160,7 @@ TEST_CASE(
     "a lesson's step magnifies residue 44 so that it fills the hand's room and the view, and the next step ends it") {
   const Scratch scratch;
   auto d = startWith("");
-  d->app().open(scratch.file("magnified.md", kLesson));
+  d->app().open(scratch.file("magnified.md", kMagnifyLesson));
   d->app().finishLoading();
   d->frames(10);
   CHECK(scale(*d) == doctest::Approx(0.25).epsilon(0.01));

@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-const char* kLesson = R"(---
+const char* kMarksLesson = R"(---
 title: Marks
 minutes: 5
 goals: See names.
@@ -45,7 +45,7 @@ paint: none
 None.
 )";
 
-std::unique_ptr<ScriptedUser> openLesson(const Scratch& scratch, const char* text) {
+std::unique_ptr<ScriptedUser> marksOpenLesson(const Scratch& scratch, const char* text) {
   auto d = startWith("");
   d->app().open(scratch.file("marks.md", text));
   d->app().finishLoading();
@@ -80,7 +80,7 @@ TEST_CASE(
     "the "
     "legend names its mark; the next step takes all of it away") {
   const Scratch scratch;
-  auto d = openLesson(scratch, kLesson);
+  auto d = marksOpenLesson(scratch, kMarksLesson);
   const std::string text = written(*d);
   CHECK(contains(text, "ring\n"));
   CHECK(contains(text, "one hydrogen\n"));
@@ -168,7 +168,7 @@ TEST_CASE("another molecule has no measures of the one before") {
 
 TEST_CASE("atoms that were touched stay painted once the probe has left them, until a step that does not ask for it") {
   const Scratch scratch;
-  auto d = openLesson(scratch, kLesson);
+  auto d = marksOpenLesson(scratch, kMarksLesson);
   const TouchPaint& paint = d->app().extensions().touch_paint;
   CHECK_FALSE(paint.painted());
   d->point("view");

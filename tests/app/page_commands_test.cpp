@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool pageCommandsHas(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// A command as a page has it, without what stands behind it to explain it.
 struct Named {
@@ -195,7 +195,7 @@ TEST_CASE(
     const std::string subcommand = subcommandOf(arguments);
     const Run help = place.run(subcommand + " --help");
     CHECK(help.status == 0);
-    for (const std::string& option : optionsIn(arguments)) CHECK_MESSAGE(has(help.out, option), option);
+    for (const std::string& option : optionsIn(arguments)) CHECK_MESSAGE(pageCommandsHas(help.out, option), option);
     const auto reason =
         std::find_if(kNotRun.begin(), kNotRun.end(), [&](const auto& r) { return arguments.starts_with(r.first); });
     if (reason != kNotRun.end()) {
@@ -206,7 +206,8 @@ TEST_CASE(
     // A smaller picture, one step of a lesson of which every step is tried elsewhere, and the page of the test.
     arguments = std::regex_replace(arguments, std::regex("--size [0-9x]+"), "--size 64x64");
     if (arguments.starts_with("pack ") &&
-        (has(arguments, "--html") || has(arguments, "--scorm") || has(arguments, "--cmi5")))
+        (pageCommandsHas(arguments, "--html") || pageCommandsHas(arguments, "--scorm") ||
+         pageCommandsHas(arguments, "--cmi5")))
       arguments += " --page edition.html";
     if (arguments == "check lessons") arguments = "check lessons/first-touch.md";
     if (arguments == "check results") arguments = "check new";
@@ -214,8 +215,8 @@ TEST_CASE(
     const Run run = place.run(arguments);
     ++ran;
     // The scripted answers here are no answers: the lesson is not finished.
-    if (has(arguments, " --answers "))
-      CHECK_MESSAGE(has(run.out + run.err, "not finished"), run.err);
+    if (pageCommandsHas(arguments, " --answers "))
+      CHECK_MESSAGE(pageCommandsHas(run.out + run.err, "not finished"), run.err);
     else
       CHECK_MESSAGE(run.status == 0, run.err);
   }
@@ -250,11 +251,12 @@ TEST_CASE("every build, preset and test case that a page names with ./test.sh or
     words >> first;
     if (first == "./test.sh") {
       for (std::string preset; words >> preset; ++met)
-        CHECK_MESSAGE((has(presets, "\"" + preset + "\"") || has(presets, "= " + preset + " ]")), preset);
+        CHECK_MESSAGE(
+            (pageCommandsHas(presets, "\"" + preset + "\"") || pageCommandsHas(presets, "= " + preset + " ]")), preset);
     } else if (first.starts_with("build/")) {
       const std::string program = first.substr(first.rfind('/') + 1);
       const std::string bare = program.starts_with("test_") ? "NAME " + program.substr(5) : program;
-      CHECK_MESSAGE((has(lists, bare) || has(lists, program) || program == "moltact"), program);
+      CHECK_MESSAGE((pageCommandsHas(lists, bare) || pageCommandsHas(lists, program) || program == "moltact"), program);
       ++met;
       const std::size_t filter = named.command.find("-tc=");
       if (filter == std::string::npos) continue;
@@ -262,7 +264,7 @@ TEST_CASE("every build, preset and test case that a page names with ./test.sh or
       title = title.substr(0, title.find(title[0] == '\'' ? "'" : " ", 1));
       if (title.starts_with('\'')) title.erase(0, 1);
       while (title.ends_with('*')) title.pop_back();
-      CHECK_MESSAGE((has(tests, "\"" + title) || has(tests, "TEST_CASE(\"" + title)), title);
+      CHECK_MESSAGE((pageCommandsHas(tests, "\"" + title) || pageCommandsHas(tests, "TEST_CASE(\"" + title)), title);
     }
   }
   CHECK(met > 20);

@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
+const std::string kPlaybackLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
 
 // Touches the first lesson's atom, continues a step; gives the file.
 fs::path recorded(const fs::path& folder) {
-  const auto driver = startWith(kLesson, smallWindow(folder));
+  const auto driver = startWith(kPlaybackLesson, smallWindow(folder));
   driver->point("view", 0.5, 0.5);
   driver->press();
   driver->frames(60);
@@ -130,7 +130,7 @@ TEST_CASE(
     return out;
   };
   {
-    const auto driver = startWith(kLesson, smallWindow(scratch.path));
+    const auto driver = startWith(kPlaybackLesson, smallWindow(scratch.path));
     Application& app = driver->app();
     app.settings.sound = true;
     driver->point("view", 0.5, 0.5);
@@ -259,7 +259,7 @@ TEST_CASE(
 TEST_CASE("a lesson that was open continues after the playback as if nothing had been touched meanwhile") {
   const ScratchFolder scratch;
   const fs::path file = recorded(scratch.path);
-  const auto driver = startWith(kLesson, smallWindow(scratch.path / "own"));
+  const auto driver = startWith(kPlaybackLesson, smallWindow(scratch.path / "own"));
   driver->app().open(file);
   driver->frames(200);
   CHECK_FALSE(driver->shows("lesson/title"));
@@ -367,7 +367,7 @@ TEST_CASE(
     "files that are no attempts, and a molecule that is not there, are reported and leave the window "
     "as it was") {
   const ScratchFolder scratch;
-  const auto driver = startWith(kLesson, smallWindow());
+  const auto driver = startWith(kPlaybackLesson, smallWindow());
   writeFile(scratch.path / "no.jsonl", "{\"a\":1}\n");
   driver->app().open(scratch.path / "no.jsonl");
   driver->frames(3);

@@ -47,7 +47,7 @@ void writeModels(
   }
 }
 
-std::string lessonWith(const std::string& keys) {
+std::string playedTrajectoryLessonWith(const std::string& keys) {
   return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: benzene\nauthor: A\nlicence: L\n---\n## One\n"
          "```scene\nmolecule: benzene\n" +
          keys + "```\n```touch\nreach: element C\nsay: Touch it.\n```\n\n> [!TIP]\n> Look.\n";
@@ -68,7 +68,8 @@ TEST_CASE(
     "are on the line between two frames; a playback puts them where they were within 1e-9 A of the recorded frame") {
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 12);
-  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nframes: 2-9\nspeed: 4\n"));
+  writeFile(scratch.path / "mine.md",
+            playedTrajectoryLessonWith("trajectory: shift.pdb, not superposed\nframes: 2-9\nspeed: 4\n"));
   fs::path file;
   {
     const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
@@ -126,7 +127,8 @@ TEST_CASE(
     "played in the window, the atoms move as they did, late by at most two pieces of the motion") {
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 12);
-  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nframes: 3-9\nspeed: 4\n"));
+  writeFile(scratch.path / "mine.md",
+            playedTrajectoryLessonWith("trajectory: shift.pdb, not superposed\nframes: 3-9\nspeed: 4\n"));
   const fs::path file = scratch.path / "hand.recording";
   std::vector<double> shifts;
   {
@@ -233,7 +235,8 @@ TEST_CASE(
     "the three ends act on the atoms as they say") {
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 9);
-  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
+  writeFile(scratch.path / "mine.md",
+            playedTrajectoryLessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
   ScriptedUser::Options options = smallWindow(scratch.path);
   options.width = 1280;
   options.height = 1000;
@@ -329,7 +332,8 @@ TEST_CASE(
 TEST_CASE("smoothed by two frames, a zigzag of 0.5 A shows the mean of five frames, on the screen and under the hand") {
   const ScratchFolder scratch;
   writeModels(scratch.path / "shift.pdb", 9, "benzene.pdb", [](int f) { return f % 2 ? 1.0 : 0.0; });
-  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
+  writeFile(scratch.path / "mine.md",
+            playedTrajectoryLessonWith("trajectory: shift.pdb, not superposed\nspeed: 0\npanels: motion\n"));
   const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
   PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
   REQUIRE(trajectory.ready());

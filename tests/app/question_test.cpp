@@ -39,10 +39,10 @@ model: Because.
 ```
 )");
 
-struct Opened {
+struct QuestionOpened {
   ScratchFolder scratch;
   std::unique_ptr<ScriptedUser> driver;
-  Opened() {
+  QuestionOpened() {
     writeFile(scratch.path / "q.md", kLesson);
     start();
   }
@@ -72,7 +72,7 @@ std::vector<std::size_t> shownOrder(std::size_t choices) {
 
 TEST_CASE(
     "the order of choices is the attempt's and stays when it continues; a number key takes the choice at its place") {
-  Opened o;
+  QuestionOpened o;
   AttemptRecorder& recorder = o.driver->app().extensions().recorder;
   const auto order = shownOrder(4);
   CHECK(order == o.session().choiceOrder(0));
@@ -97,7 +97,7 @@ TEST_CASE(
 TEST_CASE(
     "a prediction is resolved after the touch: until then another can be chosen, and no choice looks "
     "right or wrong") {
-  Opened o;
+  QuestionOpened o;
   o.driver->click("question/0/0");
   CHECK(contains(o.driver->text("question/0/feedback/0"), "Kept"));
   o.driver->click("question/0/1");
@@ -112,7 +112,7 @@ TEST_CASE(
 
 TEST_CASE(
     "an answer that is not a number is asked again and not counted; Escape ends the writing and takes nothing back") {
-  Opened o;
+  QuestionOpened o;
   o.driver->click("question/1/field");
   o.driver->type("about four");
   o.driver->tap("Escape");
@@ -125,7 +125,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a free answer breaks its lines at the field's width, and is kept as it was typed") {
-  Opened o;
+  QuestionOpened o;
   const std::string typed =
       "It is where three balls meet and the probe, which is as large as a molecule of water, cannot come any deeper.";
   o.driver->click("question/2/field");

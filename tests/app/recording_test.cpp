@@ -11,14 +11,14 @@
 namespace moltact {
 namespace {
 
-bool reported(ScriptedUser& d, const std::string& part) {
+bool recordingReported(ScriptedUser& d, const std::string& part) {
   for (const Message& m : d.app().messages.all())
     if (contains(m.text, part)) return true;
   return false;
 }
 
 // The simulated stylus on ubiquitin for 6 s.
-std::filesystem::path recorded(const Scratch& scratch) {
+std::filesystem::path recordingRecorded(const Scratch& scratch) {
   const std::filesystem::path file = scratch.folder / "hand.recording";
   auto d = startWith("1ubq");
   d->app().extensions().device.choose("simulated");
@@ -29,7 +29,7 @@ std::filesystem::path recorded(const Scratch& scratch) {
   CHECK(contains(d->text("device/recording"), "s recorded in hand.recording"));
   d->frames(180);
   CHECK(d->click("device/record"));
-  CHECK(reported(*d, "of the hand are in"));
+  CHECK(recordingReported(*d, "of the hand are in"));
   return file;
 }
 
@@ -37,7 +37,7 @@ std::filesystem::path recorded(const Scratch& scratch) {
 
 TEST_CASE("what the device page records replays to the last bit, and touches") {
   const Scratch scratch;
-  const Expected<ServoRecording> trace = readServoRecording(recorded(scratch));
+  const Expected<ServoRecording> trace = readServoRecording(recordingRecorded(scratch));
   REQUIRE(trace);
   CHECK(trace->labels.at("molecule") == "1ubq");
   CHECK(trace->labels.at("method") == "exact");
@@ -88,7 +88,7 @@ TEST_CASE(
     "a recording that is opened brings its molecule, leads the hand over it as it was led, with no device open, and "
     "gives back what led before") {
   const Scratch scratch;
-  const std::filesystem::path file = recorded(scratch);
+  const std::filesystem::path file = recordingRecorded(scratch);
   const ServoRecording trace = *readServoRecording(file);
   auto d = startWith("1hel");
   d->app().extensions().device.choose("simulated");
@@ -99,7 +99,7 @@ TEST_CASE(
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
   CHECK(d->app().scene.molecule().file.stem() == "1ubq");
-  CHECK_FALSE(reported(*d, "is not what the hand was recorded on"));
+  CHECK_FALSE(recordingReported(*d, "is not what the hand was recorded on"));
   CHECK(d->text("status/device") == "Recorded hand");
   CHECK_FALSE(d->app().scene.servo().device().gives_force);
   CHECK(player.length_s() == doctest::Approx(double(trace.ticks.size()) * kTick_s));
@@ -122,7 +122,7 @@ TEST_CASE(
   CHECK(contains(d->text("device/recording"), "hand.recording. No force is given meanwhile."));
   d->frames(120);
   CHECK_FALSE(player.playing());
-  CHECK(reported(*d, "hand.recording has been played to its end"));
+  CHECK(recordingReported(*d, "hand.recording has been played to its end"));
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->app().scene.servo_settings.stiffness_N_per_mm == stiffness);
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
@@ -166,7 +166,7 @@ TEST_CASE(
   d->frames(3);
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
-  CHECK_FALSE(reported(*d, "is not the one of this recording"));
+  CHECK_FALSE(recordingReported(*d, "is not the one of this recording"));
   REQUIRE(d->app().scene.stage().body);
   CHECK(d->app().scene.stage().body->atoms == held);
   REQUIRE(d->app().scene.look.atoms.hidden);
@@ -195,7 +195,7 @@ TEST_CASE(
 
 TEST_CASE("a recorded hand that presses on a lesson's molecule does not do the lesson's task") {
   const Scratch scratch;
-  const std::filesystem::path file = recorded(scratch);
+  const std::filesystem::path file = recordingRecorded(scratch);
   auto d = startWith("");
   d->app().open(scratch.file("press.md", R"(---
 title: Press
@@ -237,7 +237,7 @@ Press.
 
 TEST_CASE("a recording whose molecule has changed since says so, and is played all the same") {
   const Scratch scratch;
-  ServoRecording trace = *readServoRecording(recorded(scratch));
+  ServoRecording trace = *readServoRecording(recordingRecorded(scratch));
   trace.labels["balls"] = "601 0000000000000000";
   const std::filesystem::path other = scratch.folder / "other.recording";
   {
@@ -250,7 +250,7 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
   auto d = startWith("1ubq");
   d->app().open(other);
   d->frames(3);
-  CHECK(reported(*d, "is not the one of this recording"));
+  CHECK(recordingReported(*d, "is not the one of this recording"));
   CHECK(d->app().extensions().hand_recorder.playing());
 }
 
@@ -258,7 +258,7 @@ TEST_CASE(
     "another device that is chosen while a recording plays ends it; a text is reported and changes "
     "nothing; another method ends a recording") {
   const Scratch scratch;
-  const std::filesystem::path file = recorded(scratch);
+  const std::filesystem::path file = recordingRecorded(scratch);
   auto d = startWith("1ubq");
   d->app().open(file);
   d->frames(10);
@@ -271,7 +271,7 @@ TEST_CASE(
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
   d->app().open(scratch.file("text.recording", "no recording"));
   d->frames(3);
-  CHECK(reported(*d, "no recording of a device"));
+  CHECK(recordingReported(*d, "no recording of a device"));
   CHECK_FALSE(recorder.playing());
   CHECK(d->text("status/device") == "Simulated stylus");
 
@@ -288,7 +288,7 @@ TEST_CASE(
     "another device that is clicked on the open device page while a recording plays: the hand that plays lives until "
     "the frame has been drawn, then the other device leads") {
   const Scratch scratch;
-  const std::filesystem::path file = recorded(scratch);
+  const std::filesystem::path file = recordingRecorded(scratch);
   auto d = startWith("1ubq");
   HandRecorder& recorder = d->app().extensions().hand_recorder;
   const auto playOnPage = [&] {

@@ -8,7 +8,8 @@
 namespace moltact {
 namespace {
 
-const std::string kHead = "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n";
+const std::string kSceneKeysHead =
+    "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n";
 
 // A bend of ten residues; in the other state the last three have turned away.
 std::string bend(double lifted_A) {
@@ -32,7 +33,7 @@ TEST_CASE(
     "the next step; what is removed is not in the picture either") {
   Scratch scratch;
   const auto file =
-      scratch.file("mine.md", kHead +
+      scratch.file("mine.md", kSceneKeysHead +
                                   "## One\n```scene\nmolecule: 1ubq\n```\nText.\n"
                                   "## Two\n```scene\nuntouchable: all\n```\nText.\n"
                                   "## Three\n```scene\nuntouchable: none\nremove: residue 1-40\n```\nText.\n");
@@ -73,7 +74,7 @@ TEST_CASE(
   Scratch scratch;
   const auto file = scratch.file(
       "mine.md",
-      kHead +
+      kSceneKeysHead +
           "## One\n```scene\nmolecule: 1ubq\nview: top\ncut: residue 30\nview the tail: facing residue 76, zoom "
           "residue 74-76\n```\n[the tail](#view:the-tail) and [Lys 48](<#zoom:residue 48>).\n");
   auto d = startWith(file.string());
@@ -107,7 +108,7 @@ TEST_CASE("the view that is copied for a lesson is the one that the lesson shows
   turned.orbit(0.7, -0.4);
   turned.roll(0.3);
   const LessonReading reading =
-      readLessonText("l.md", kHead + "## S\n```scene\nmolecule: 1ubq\nview: " + viewText(turned) + "\n```\n");
+      readLessonText("l.md", kSceneKeysHead + "## S\n```scene\nmolecule: 1ubq\nview: " + viewText(turned) + "\n```\n");
   REQUIRE(reading.lesson);
   Camera read;
   const SceneSpec& spec = reading.lesson->steps[0].scene;

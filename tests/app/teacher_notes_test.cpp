@@ -22,10 +22,10 @@ std::string notes() {
   return out;
 }
 
-struct Opened {
+struct TeacherNotesOpened {
   ScratchFolder scratch;
   std::unique_ptr<ScriptedUser> driver;
-  explicit Opened(const std::string& body) {
+  explicit TeacherNotesOpened(const std::string& body) {
     writeFile(scratch.path / "notes.md", argonLesson("Notes", "  - A goal\n", body));
     ScriptedUser::Options options;
     options.application.attempts_folder = scratch.path / "attempts";
@@ -40,7 +40,7 @@ TEST_CASE(
     "a note for the teacher is not seen until the Lesson menu's Teacher's notes is chosen; it stands in a box among "
     "the "
     "text then, and is gone when it is chosen again") {
-  Opened o("Text.\n\n" + kNote + "\nMore.\n");
+  TeacherNotesOpened o("Text.\n\n" + kNote + "\nMore.\n");
   ScriptedUser& d = *o.driver;
   CHECK(notes().empty());
   const Picture without = d.picture();
@@ -60,14 +60,14 @@ TEST_CASE(
 }
 
 TEST_CASE("a lesson without notes for the teacher, and the welcome page, offer no such view") {
-  Opened o("> [!TIP]\n> A hint.\n\n> [!NOTE]\n> A note for all.\n");
+  TeacherNotesOpened o("> [!TIP]\n> A hint.\n\n> [!NOTE]\n> A note for all.\n");
   CHECK_FALSE(o.offered());
   o.driver->app().panels.pages.welcome = true;
   CHECK_FALSE(o.offered());
 }
 
 TEST_CASE("the notes go when turns begin and when a student is asked for a name, and cannot be shown meanwhile") {
-  Opened o(kNote);
+  TeacherNotesOpened o(kNote);
   ScriptedUser& d = *o.driver;
   REQUIRE(o.offered());
   findAction("teacher-notes")->run(d.app());
@@ -93,7 +93,7 @@ TEST_CASE("the notes go when turns begin and when a student is asked for a name,
 }
 
 TEST_CASE("the notes go when a lesson is opened, by whomever; they stay when its author saves it") {
-  Opened o(kNote);
+  TeacherNotesOpened o(kNote);
   ScriptedUser& d = *o.driver;
   findAction("teacher-notes")->run(d.app());
   d.frames(3);

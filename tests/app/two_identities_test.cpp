@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kChoices = 8, kPairs = 8;  // alike by chance: 1 in 40 320, and 1 in 65 536
 
-std::string lessonText() {
+std::string twoIdentitiesLessonText() {
   std::string choices = "- [x] Choice 0 → Yes.\n";
   for (std::size_t k = 1; k < kChoices; ++k) choices += "- [ ] Choice " + std::to_string(k) + " → No.\n";
   return "---\ntitle: Twice\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nask: name\n---\n"
@@ -86,7 +86,7 @@ TEST_CASE(
     "report lists both as finished, with one task and one question each") {
   const ScratchFolder scratch;
   const std::filesystem::path attempts = scratch.path / "attempts";
-  writeFile(scratch.path / "twice.md", lessonText());
+  writeFile(scratch.path / "twice.md", twoIdentitiesLessonText());
   ScriptedUser::Options options;
   options.application.attempts_folder = attempts;
   auto d = startWith("", std::move(options));

@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-std::string lessonWith(const std::string& hide) {
+std::string unseenLessonWith(const std::string& hide) {
   return "---\ntitle: Unseen\nminutes: 1\ngoals: G\nmolecules: benzene\nauthor: A\nlicence: L\n---\n"
          "## One\n```scene\nmolecule: benzene\n" +
          hide +
@@ -19,7 +19,7 @@ std::string lessonWith(const std::string& hide) {
 // What the window says while the hand rests on the molecule.
 std::string saidOfTouch(const std::string& hide) {
   ScratchFolder scratch;
-  writeFile(scratch.path / "unseen.md", lessonWith(hide));
+  writeFile(scratch.path / "unseen.md", unseenLessonWith(hide));
   auto d = startWith((scratch.path / "unseen.md").string());
   d->frames(3);
   CHECK(d->point("view"));

@@ -9,15 +9,15 @@
 namespace moltact {
 namespace {
 
-constexpr const char* kHead =
+constexpr const char* kWayHead =
     "---\ntitle: Ways\nminutes: 1\ngoals:\n  - Go\nmolecules:\n  - argon\nauthor: A\nlicence: L\n---\n\n";
 
-struct Opened {
+struct WayOpened {
   ScratchFolder scratch;
   std::unique_ptr<ScriptedUser> driver;
-  Opened() {
+  WayOpened() {
     writeFile(scratch.path / "ways.md",
-              std::string(kHead) +
+              std::string(kWayHead) +
                   "## First\n\n```step\nrequired: yes\n```\n\n```scene\nmolecule: argon\n```\n\n"
                   "See [the end](#last).\n\n### Question: Which?\n\n1. [x] This → Yes.\n2. [ ] That → No.\n\n"
                   "```answer\nattempts: 3\nafter 2 wrong: go to #aside-why\nif right: skip #middle\n```\n\n"
@@ -36,7 +36,7 @@ struct Opened {
 }  // namespace
 
 TEST_CASE("a required step says so in place of Next, shows 3 tries, and releases the student when it is done") {
-  Opened o;
+  WayOpened o;
   CHECK(o.driver->text("lesson/next") == "Finish this step first");
   CHECK(o.driver->text("question/0/tries") == "You have 3 tries.");
   o.click("lesson/next");
@@ -53,7 +53,7 @@ TEST_CASE("a required step says so in place of Next, shows 3 tries, and releases
 TEST_CASE(
     "after two wrong answers a button leads into the aside, and from there back; after the third the right one stands "
     "there") {
-  Opened o;
+  WayOpened o;
   CHECK(o.click("question/0/1"));
   CHECK_FALSE(o.driver->shows("question/0/go on"));
   CHECK(o.click("question/0/1"));

@@ -71,7 +71,7 @@ struct Wrong {
   }
 };
 
-FeltErrors feltWith(double turn_deg, double scale) {
+FeltErrors handsFeltWith(double turn_deg, double scale) {
   static constexpr Method kWrong{"wrong", "", &Wrong::make};
   Wrong::turn_deg = turn_deg, Wrong::scale = scale;
   StrokePlan plan;
@@ -238,18 +238,18 @@ TEST_CASE(
 TEST_CASE(
     "a force turned by 22 degrees is noticed beside the picture and not in the dark; one 8 % too "
     "large passes 7 % and not 10 %; neither steps") {
-  const FeltErrors turned = feltWith(22, 1);
+  const FeltErrors turned = handsFeltWith(22, 1);
   CHECK(turned.ticks == 2000);
   CHECK(turned.direction_deg.p50 == doctest::Approx(22).epsilon(1e-6));
   CHECK(turned.direction_seen == 1);
   CHECK(turned.direction_blind == 0);
   CHECK(turned.size == 0);
-  const FeltErrors larger = feltWith(0, 1.08);
+  const FeltErrors larger = handsFeltWith(0, 1.08);
   CHECK(larger.direction_deg.max < 1e-4);
   CHECK(larger.size > 0.9);  // less where the force is under 0.3 N or cut at 3.3 N
   CHECK(larger.size_wide == 0);
   CHECK(larger.steps == 0);
-  const FeltErrors right = feltWith(0, 1);
+  const FeltErrors right = handsFeltWith(0, 1);
   CHECK(right.size + right.off + right.lost + right.steps == 0);
 }
 

@@ -18,7 +18,7 @@ using namespace moltact::bench;
 
 namespace {
 
-StabilityScene sceneNamed(const std::string& name, std::size_t draw = 0) {
+StabilityScene stabilitySceneNamed(const std::string& name, std::size_t draw = 0) {
   for (StabilityScene& s : drawnScenes(1, draw))
     if (s.name == name) return s;
   FAIL("no scene " << name);
@@ -26,7 +26,7 @@ StabilityScene sceneNamed(const std::string& name, std::size_t draw = 0) {
 }
 
 StabilityResult result(const std::string& scene, const char* method, std::size_t draw = 0) {
-  return runScene(sceneNamed(scene, draw), *findMethod(method), {});
+  return runScene(stabilitySceneNamed(scene, draw), *findMethod(method), {});
 }
 
 constexpr double kNoEnergy_J = StabilityLimits().energy_J;
@@ -98,7 +98,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a further draw turns scene and motion as a whole: all distances stay, no place does") {
-  const StabilityScene scene = sceneNamed("crease, across"), other = turned(scene, 7);
+  const StabilityScene scene = stabilitySceneNamed("crease, across"), other = turned(scene, 7);
   const double bond = glm::distance(scene.scene.spheres[0].centre_A, scene.scene.spheres[1].centre_A);
   CHECK(glm::distance(other.scene.spheres[0].centre_A, other.scene.spheres[1].centre_A) ==
         doctest::Approx(bond).epsilon(1e-12));

@@ -13,7 +13,7 @@ using moltact::test::textOf;
 
 namespace {
 
-std::set<std::string> allOf(const std::string& text, const char* what) {
+std::set<std::string> pagesAllOf(const std::string& text, const char* what) {
   const std::regex pattern(what);
   std::set<std::string> out;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) out.insert((*it)[1]);
@@ -23,7 +23,8 @@ std::set<std::string> allOf(const std::string& text, const char* what) {
 }  // namespace
 
 TEST_CASE("every picture that docs/pages.md shows is there") {
-  const std::set<std::string> pictures = allOf(textOf(kSource / "docs/pages.md"), R"(\(pictures/([a-z0-9-]+)\.png\))");
+  const std::set<std::string> pictures =
+      pagesAllOf(textOf(kSource / "docs/pages.md"), R"(\(pictures/([a-z0-9-]+)\.png\))");
   CHECK(pictures.size() > 20);
   for (const std::string& picture : pictures)
     CHECK_MESSAGE(std::filesystem::exists(kSource / "docs/pictures" / (picture + ".png")), picture);
@@ -34,7 +35,8 @@ TEST_CASE("every picture of docs/pages.md but the class's report is drawn by a s
   for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs/pictures"))
     if (const auto ending = entry.path().extension(); ending == ".script" || ending == ".sh")
       scripts += textOf(entry.path());
-  for (const std::string& picture : allOf(textOf(kSource / "docs/pages.md"), R"(\(pictures/([a-z0-9-]+)\.png\))")) {
+  for (const std::string& picture :
+       pagesAllOf(textOf(kSource / "docs/pages.md"), R"(\(pictures/([a-z0-9-]+)\.png\))")) {
     // Those of the three themes are drawn by one script with THEME in their place.
     const std::string themed = std::regex_replace(picture, std::regex("(light|dark|high-contrast)$"), "THEME");
     CHECK_MESSAGE((scripts.find("/" + picture + ".png") != std::string::npos ||

@@ -23,14 +23,14 @@ using namespace moltact::open_layout;
 
 namespace {
 
-using Report = std::vector<std::uint8_t>;
-Report of(const auto& bytes) { return {bytes.begin(), bytes.end()}; }
+using OpenLayoutReport = std::vector<std::uint8_t>;
+OpenLayoutReport of(const auto& bytes) { return {bytes.begin(), bytes.end()}; }
 
 // A device that answers the feature report, sends places when asked, and keeps the last report that it was written.
 struct FarEnd {
   std::mutex mutex;
   test::OpenFirmware firmware;
-  Report feature = of(firmware.description()), last;
+  OpenLayoutReport feature = of(firmware.description()), last;
   bool sends = false;
 };
 class FarEndPort final : public PacketPort {
@@ -81,7 +81,7 @@ struct Declared {
   unsigned page = 0, usage = 0;
   std::map<std::pair<char, unsigned>, unsigned> bytes;  // of input, output and feature reports by id, behind the id
 };
-Declared parsed(const Report& descriptor) {
+Declared parsed(const OpenLayoutReport& descriptor) {
   Declared out;
   unsigned size_bits = 0, count = 0, id = 0;
   bool collected = false;
@@ -106,12 +106,12 @@ Declared parsed(const Report& descriptor) {
 }
 
 // The hexadecimal bytes that begin the indented lines after "The report descriptor".
-Report descriptorInDocs() {
+OpenLayoutReport descriptorInDocs() {
   std::ifstream in(MOLTACT_SOURCE_DIR "/docs/device-protocol.md");
   std::string line;
   while (std::getline(in, line) && !line.starts_with("The report descriptor")) {
   }
-  Report out;
+  OpenLayoutReport out;
   while (std::getline(in, line) && !line.starts_with("|")) {
     if (!line.starts_with("    ")) continue;
     std::istringstream words(line);
@@ -132,7 +132,7 @@ void waitFor(Done done) {
 TEST_CASE(
     "the descriptor in docs/device-protocol.md is the reference firmware's 39 bytes, and declares the driver's usage, "
     "ids and lengths") {
-  const Report reference(std::begin(test::kOpenReportDescriptor), std::end(test::kOpenReportDescriptor));
+  const OpenLayoutReport reference(std::begin(test::kOpenReportDescriptor), std::end(test::kOpenReportDescriptor));
   CHECK(reference.size() == 39);
   CHECK(descriptorInDocs() == reference);
   const Declared declared = parsed(reference);
@@ -224,7 +224,7 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
   REQUIRE_FALSE(open.begin(port, info));
   CHECK(info.dof_in == 6);
   DevicePose pose;
-  Report place(kPlaceBytes);
+  OpenLayoutReport place(kPlaceBytes);
   place[0] = kPlaceReport;
   const auto turned = [&](std::uint8_t number, double x, double y, double z, double w) {
     place[1] = number;
@@ -252,7 +252,7 @@ TEST_CASE(
     "and then no more") {
   OpenLayoutProtocol open = opened();
   DevicePose pose;
-  Report place(kPlaceBytes);
+  OpenLayoutReport place(kPlaceBytes);
   place[0] = kPlaceReport, place[22] = kWatchdogTripped;
   open.parseReport(place, pose);
   place[22] = 0;
@@ -347,15 +347,15 @@ TEST_CASE(
 
 TEST_CASE("the reference firmware ignores a force report of 10 or 12 bytes or of another id") {
   test::OpenFirmware firmware;
-  Report force(kForceBytes);
+  OpenLayoutReport force(kForceBytes);
   force[0] = kForceReport, force[9] = 1;
   putInt16(force, 3, 1000);
-  for (Report wrong : {Report(force.begin(), force.end() - 1), force, force}) {
+  for (OpenLayoutReport wrong : {OpenLayoutReport(force.begin(), force.end() - 1), force, force}) {
     if (wrong.size() == kForceBytes) wrong[0] = 1;
     firmware.take(wrong);
     CHECK(firmware.force_N() == Vec3(0));
   }
-  Report longer = force;
+  OpenLayoutReport longer = force;
   longer.push_back(0);
   firmware.take(longer);
   CHECK(firmware.force_N() == Vec3(0));

@@ -18,7 +18,7 @@ const std::vector<Vec3> kAtoms{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
 
 // Waits for another thread, for a minute at most, so that no result depends on the speed of the machine.
 template <class Done>
-bool comes(Done done) {
+bool imdSimulationComes(Done done) {
   for (int k = 0; k < 60'000 && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return done();
 }
@@ -46,7 +46,7 @@ TEST_CASE(
       LiveSimulation& live = **made;
       CHECK_FALSE(live.obeysAll());
       SimulationCommand wanted = pull(1, {3, 4, 0});
-      CHECK(comes([&] {
+      CHECK(imdSimulationComes([&] {
         live.command(wanted);
         return live.newest().serial > 0 && glm::distance(live.newest().positions_A[1], Vec3(3, 4, 0)) < 0.01;
       }));
@@ -54,12 +54,12 @@ TEST_CASE(
       CHECK(glm::distance(server.place_A(1), Vec3(3, 4, 0)) < 0.02);
       wanted = {};
       live.command(wanted);
-      CHECK(comes([&] { return server.pushed == 0; }));
+      CHECK(imdSimulationComes([&] { return server.pushed == 0; }));
       wanted.running = false;
       live.command(wanted);
-      CHECK(comes([&] { return server.paused.load(); }));
+      CHECK(imdSimulationComes([&] { return server.paused.load(); }));
       made->reset();
-      CHECK(comes([&] { return server.gone == 1; }));
+      CHECK(imdSimulationComes([&] { return server.gone == 1; }));
       CHECK(server.forceEnded());
       CHECK_FALSE(server.paused);
       CHECK(server.disconnected());
@@ -72,11 +72,11 @@ TEST_CASE(
   auto made = connectTo(server);
   REQUIRE(made);
   const SimulationCommand wanted = pull(0, {0, 0, 500});
-  CHECK(comes([&] {
+  CHECK(imdSimulationComes([&] {
     (*made)->command(wanted);
     return server.pushed == 1;
   }));
-  CHECK(comes([&] { return server.pushed == 0; }));
+  CHECK(imdSimulationComes([&] { return server.pushed == 0; }));
   CHECK_FALSE((*made)->newest().dead);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE(
       const SimulationCommand wanted = pull(std::uint32_t(random() % 4), {9, 9, 9});
       (*made)->command(wanted);
       if (while_pulling) {
-        const bool felt = comes([&] {
+        const bool felt = imdSimulationComes([&] {
           (*made)->command(wanted);
           return server.pushed == 1;
         });
@@ -118,7 +118,7 @@ TEST_CASE(
         pulled += felt;
         server.fault = kind;
       }
-      CHECK(comes([&] {
+      CHECK(imdSimulationComes([&] {
         (*made)->command(wanted);
         return (*made)->newest().dead;
       }));
@@ -128,7 +128,7 @@ TEST_CASE(
     } else {
       CHECK_FALSE(made.problem().message.empty());
     }
-    CHECK(comes([&] { return server.gone > gone; }));
+    CHECK(imdSimulationComes([&] { return server.gone > gone; }));
     if (kind > ImdFault::Resets) CHECK(server.forceEnded());
   }
   MESSAGE(pulled, " of them while the server felt a pull");
@@ -142,14 +142,14 @@ TEST_CASE("a server that stalls: the forces end, the frame says so, and the sess
   auto made = connectTo(server);
   REQUIRE(made);
   const SimulationCommand wanted = pull(0, {0, 0, 5});
-  CHECK(comes([&] {
+  CHECK(imdSimulationComes([&] {
     (*made)->command(wanted);
     return (*made)->newest().silent;
   }));
-  CHECK(comes([&] { return server.pushed == 0; }));
+  CHECK(imdSimulationComes([&] { return server.pushed == 0; }));
   CHECK_FALSE((*made)->newest().dead);
   made->reset();
-  CHECK(comes([&] { return server.gone == 1; }));
+  CHECK(imdSimulationComes([&] { return server.gone == 1; }));
   CHECK(server.disconnected());
 }
 
@@ -162,7 +162,7 @@ TEST_CASE(
     REQUIRE_FALSE(other);
     CHECK(other.problem().file == "127.0.0.1:" + std::to_string(server.port()));
     CHECK(other.problem().message == "the server sends 4 atoms, and the molecule has 7");
-    CHECK(comes([&] { return server.gone == 1; }));
+    CHECK(imdSimulationComes([&] { return server.gone == 1; }));
     CHECK(server.disconnected());
     CHECK_FALSE(connectTo(server, {}));
     CHECK_FALSE(connectTo(server, std::vector<Vec3>(ImdSimulation::kMaxAtoms + 1)));
@@ -192,7 +192,7 @@ TEST_CASE("latency: the mean times from a command to its force at the server, an
   constexpr int kRounds = 100;
   for (int k = 0; k < kRounds; ++k) {
     live.command({});
-    REQUIRE(comes([&] { return server.pushed == 0; }));
+    REQUIRE(imdSimulationComes([&] { return server.pushed == 0; }));
     std::this_thread::sleep_for(std::chrono::milliseconds(3));
     const double x_A = live.newest().positions_A[0].x;
     const auto began = Clock::now();

@@ -22,8 +22,8 @@ constexpr double kMinimum_A = 3.82, kDepth_kcal_mol = 0.238;  // of two argon at
 
 PairAtom argon(const Vec3& at, float charge_e = 0.0f) { return {at, 1.91f, 0.238f, charge_e}; }
 
-std::shared_ptr<const PairField> fieldOf(const std::vector<PairAtom>& atoms, const std::vector<PairAtom>& held,
-                                         double wall_kcal_mol = 1.0) {
+std::shared_ptr<const PairField> coupledFieldFieldOf(const std::vector<PairAtom>& atoms,
+                                                     const std::vector<PairAtom>& held, double wall_kcal_mol = 1.0) {
   auto out = std::make_shared<PairField>();
   std::vector<Sphere> places;
   for (std::size_t k = 0; k < atoms.size(); ++k) {
@@ -41,7 +41,8 @@ std::shared_ptr<const PairField> fieldOf(const std::vector<PairAtom>& atoms, con
 // One argon at the origin, of a small radius, so that the contact does not act in the well, and one at the probe.
 CoupledField argonPair(double coupling_kcal_mol_A2, double radius_A = 1.0, double wall_kcal_mol = 1.0) {
   auto probe = referenceMethod().make(test::makeScene({{{0, 0, 0}, radius_A}}), 0.5);
-  return CoupledField(std::move(probe), fieldOf({argon({})}, {argon({})}, wall_kcal_mol), {coupling_kcal_mol_A2});
+  return CoupledField(std::move(probe), coupledFieldFieldOf({argon({})}, {argon({})}, wall_kcal_mol),
+                      {coupling_kcal_mol_A2});
 }
 
 // The energy of two argon atoms, unswitched below 8 A, and its slope.
@@ -67,7 +68,7 @@ struct Crowd {
 };
 
 // A ball of 120 atoms and a chain of 8, with the parameters of carbon and charges up to 0.4 e.
-Crowd crowd(std::uint64_t seed) {
+Crowd coupledFieldCrowd(std::uint64_t seed) {
   Crowd out;
   scenes::Random random(seed);
   const auto atom = [&](const Vec3& at) { return PairAtom{at, 1.908f, 0.1094f, float(random.uniform(-0.4, 0.4))}; };
@@ -81,7 +82,7 @@ Crowd crowd(std::uint64_t seed) {
 CoupledField coupled(const Crowd& c, double coupling_kcal_mol_A2, double weak_gain = 1.0) {
   auto inner = std::make_unique<ExactBody>(test::makeScene(c.spheres), c.body);
   const VirtualCoupling coupling{coupling_kcal_mol_A2, inner->lever_A(), c.body->reach_A};
-  auto field = std::make_shared<PairField>(*fieldOf(c.atoms, c.held));
+  auto field = std::make_shared<PairField>(*coupledFieldFieldOf(c.atoms, c.held));
   field->model.weak_gain = weak_gain;
   return CoupledField(std::move(inner), std::move(field), coupling);
 }
@@ -171,12 +172,12 @@ TEST_CASE(
     "0.01 kcal/mol, and it overlaps no atom") {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
     CAPTURE(seed);
-    const Crowd c = crowd(seed);
+    const Crowd c = coupledFieldCrowd(seed);
     for (const double k : {5.0, 100.0}) {
       CAPTURE(k);
       const double gain = seed == 11u ? 1.0 : seed == 12u ? 3.0 : 8.0;
       CoupledField felt = coupled(c, k, gain);
-      PairModel model = fieldOf(c.atoms, c.held)->model;
+      PairModel model = coupledFieldFieldOf(c.atoms, c.held)->model;
       model.weak_gain = gain;
       PairSum check(test::makeScene(c.spheres), c.atoms, c.held, model);
       std::optional<PoseA> before;
@@ -214,7 +215,7 @@ TEST_CASE(
     "20 closed ways of the hand with a body over a crowd of atoms leave the hand no work, at couplings from 2 to 200 "
     "and "
     "at each gain of weak forces that the panel offers") {
-  const Crowd c = crowd(21);
+  const Crowd c = coupledFieldCrowd(21);
   std::vector<std::pair<double, double>> ways{{2.0, 1.0}, {20.0, 1.0}, {200.0, 1.0}, {2.0, 8.0}, {200.0, 8.0}};
   for (double gain = 1.5; gain <= 8.0; gain += 0.5) ways.emplace_back(20.0, gain);
   for (const auto& [stiffness, gain] : ways) {
@@ -257,7 +258,7 @@ TEST_CASE(
     "field each is the force between the pair") {
   const std::vector<PairAtom> atoms{argon({0, 0, 0}, 0.5f), argon({7, 0, 0}, -0.5f)};
   auto probe = referenceMethod().make(test::makeScene({{{0, 0, 0}, 1.5}, {{7, 0, 0}, 1.5}}), 1.4);
-  CoupledField felt(std::move(probe), fieldOf(atoms, {argon({}, 0.3f)}), {20.0});
+  CoupledField felt(std::move(probe), coupledFieldFieldOf(atoms, {argon({}, 0.3f)}), {20.0});
   std::vector<AtomForce> room(felt.maxReactionCount());
   for (const Vec3& hand : {Vec3(3.4, 4, 0), Vec3(1.4, 1.6, 0), Vec3(1.0, 1.0, 0)}) {
     Response r = felt.respond({{Vec3(3.5, 9, 0)}});
@@ -296,7 +297,7 @@ TEST_CASE("a hand that jumps by 5 A through the field is followed in steps of at
 }
 
 TEST_CASE("outside of the cut-off the hand feels nothing and the body is at the hand, to the last bit") {
-  const Crowd c = crowd(31);
+  const Crowd c = coupledFieldCrowd(31);
   CoupledField felt = coupled(c, 20.0);
   for (int k = 0; k < 50; ++k) {
     const PoseA hand{{Vec3(60 + 0.1 * k, 3, 1)}, glm::angleAxis(0.01 * k, Vec3(0, 0, 1))};
@@ -338,8 +339,8 @@ TEST_CASE("every method and kind of interaction can be felt with forces between 
       input.touch.forces = "all";
       if (kind.holds_body) input.body = body;
       CHECK_FALSE(makeInteraction(input));
-      input.pairs = kind.holds_body ? fieldOf({argon({})}, {argon({-1, 0, 0}), argon({1, 0, 0})})
-                                    : fieldOf({argon({})}, {argon({})});
+      input.pairs = kind.holds_body ? coupledFieldFieldOf({argon({})}, {argon({-1, 0, 0}), argon({1, 0, 0})})
+                                    : coupledFieldFieldOf({argon({})}, {argon({})});
       const auto felt = makeInteraction(input);
       REQUIRE(felt);
       const Vec3 at = kind.holds_body ? Vec3(0, 4.2, 0) : Vec3(0, 4.5, 0);

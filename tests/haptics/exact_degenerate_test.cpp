@@ -22,11 +22,11 @@ int numberFrom(const char* variable, int otherwise) {
   return text && std::atoi(text) > 0 ? std::atoi(text) : otherwise;
 }
 
-struct Tally {
+struct ExactDegenerateTally {
   int scenes = 0, ticks = 0, agree = 0, grazing = 0, two_right = 0, wrong = 0, inside = 0, moving = 0, cut = 0,
       unfinished = 0;
   double deepest_A = -1e300;
-  void add(const Tally& o) {
+  void add(const ExactDegenerateTally& o) {
     scenes += o.scenes, ticks += o.ticks, agree += o.agree, grazing += o.grazing, two_right += o.two_right,
         wrong += o.wrong;
     inside += o.inside, moving += o.moving, cut += o.cut, unfinished += o.unfinished;
@@ -83,12 +83,12 @@ class Oracles {
   std::vector<oracle::Oracle> each_;
 };
 
-Tally compare(std::uint64_t seed, int ticks) {
+ExactDegenerateTally exactDegenerateCompare(std::uint64_t seed, int ticks) {
   const test::DegenerateScene s = test::degenerateScene(seed);
   const auto path = test::degeneratePath(s, ticks, seed);
   ExactTracker tracker(test::makeScene(s.scene.spheres), s.scene.probe_A);
   Oracles oracles(s.scene);
-  Tally tally{.scenes = 1};
+  ExactDegenerateTally tally{.scenes = 1};
   const double grazing_A = 2.0 * std::sqrt(decidedFrom_A(s.scene) * (s.scene.probe_A + 2.0));
   const auto fault = [&](const std::string& what, int tick, double size) {
     MESSAGE(s.scene.name, ", tick ", tick, ": ", what, " ", size);
@@ -144,10 +144,10 @@ TEST_CASE(
     "degenerate scenes: no SCP deeper than 1e-9 A, none not at rest, none wrong where one answer is right, each flow "
     "finished") {
   const int scenes = numberFrom("MOLTACT_DEGENERATE_SCENES", 300), from = numberFrom("MOLTACT_DEGENERATE_FROM", 1);
-  std::map<std::string, Tally> families;
-  Tally sum;
+  std::map<std::string, ExactDegenerateTally> families;
+  ExactDegenerateTally sum;
   for (int k = 0; k < scenes; ++k) {
-    const Tally one = compare(std::uint64_t(from + k), 100);
+    const ExactDegenerateTally one = exactDegenerateCompare(std::uint64_t(from + k), 100);
     families[test::degenerateScene(std::uint64_t(from + k)).family].add(one);
     sum.add(one);
   }
@@ -447,8 +447,9 @@ TEST_CASE(
 TEST_CASE(
     "degenerate scenes that were once wrong, not at rest or without end: seeds 21420, 21654, 21951, 22182, 23040, "
     "24192 and 51648") {
-  Tally sum;
-  for (const std::uint64_t seed : {21420, 21654, 21951, 22182, 23040, 24192, 51648}) sum.add(compare(seed, 100));
+  ExactDegenerateTally sum;
+  for (const std::uint64_t seed : {21420, 21654, 21951, 22182, 23040, 24192, 51648})
+    sum.add(exactDegenerateCompare(seed, 100));
   CHECK(sum.wrong == 0);
   CHECK(sum.inside == 0);
   CHECK(sum.moving == 0);

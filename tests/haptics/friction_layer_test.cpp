@@ -24,7 +24,7 @@ std::unique_ptr<FrictionLayer> layer(const std::vector<Sphere>& spheres, double 
                                          friction);
 }
 
-Response at(Interaction& felt, const Vec3& place) { return felt.respond({{place}, kNoRotation}); }
+Response frictionLayerAt(Interaction& felt, const Vec3& place) { return felt.respond({{place}, kNoRotation}); }
 
 // Along and against the normal of a contact on a single sphere.
 struct Load {
@@ -46,7 +46,7 @@ TEST_CASE("with a coefficient of 0 every method answers to the last bit as witho
     FrictionLayer none(method.make(spheres, scene.probe_A), spheres, nullptr, nullptr, {0.0, 0.5});
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(scene, 1000, 5)) {
-      const Contact a = at(*bare, place).contact, b = at(none, place).contact;
+      const Contact a = frictionLayerAt(*bare, place).contact, b = frictionLayerAt(none, place).contact;
       touching += a.touching();
       different += !(a == b);
     }
@@ -60,15 +60,15 @@ TEST_CASE(
     "the law of sines, to 1e-9 A in 600 places") {
   constexpr double kRadius_A = 3.0, kMu = 0.4;
   const auto felt = layer({{{0, 0, 0}, kRadius_A}}, 0.0, {kMu, 0.0});
-  at(*felt, {0, 0, 4});
-  at(*felt, {0, 0, 2.0});
+  frictionLayerAt(*felt, {0, 0, 4});
+  frictionLayerAt(*felt, {0, 0, 2.0});
   const double phi = std::atan(kMu);
   double worst_A = 0.0, worst_ratio = 0.0;
   int slid = 0;
   for (int k = 1; k <= 600; ++k) {
     const double turned = 0.002 * k, r = 2.0;
     const Vec3 hand = r * Vec3(std::sin(turned), 0.0, std::cos(turned));
-    const Contact c = at(*felt, hand).contact;
+    const Contact c = frictionLayerAt(*felt, hand).contact;
     // The greatest angle at the centre between hand and contact: R / sin(pi - asin) = r / sin(phi).
     const double most = std::asin(kRadius_A * std::sin(phi) / r) - phi;
     const double lag = std::min(turned, most);
@@ -87,12 +87,12 @@ TEST_CASE(
 TEST_CASE("a hand so near the centre that it lies in the cone of friction holds the contact wherever it moves") {
   // sin(phi) R = 0.371 x 3 A = 1.11 A.
   const auto felt = layer({{{0, 0, 0}, 3.0}}, 0.0, {0.4, 0.0});
-  at(*felt, {0, 0, 4});
-  for (int k = 0; k <= 40; ++k) at(*felt, {0, 0, 4.0 - 0.08 * k});
-  const Vec3 stuck = at(*felt, {0, 0, 0.8}).contact.scp.A;
+  frictionLayerAt(*felt, {0, 0, 4});
+  for (int k = 0; k <= 40; ++k) frictionLayerAt(*felt, {0, 0, 4.0 - 0.08 * k});
+  const Vec3 stuck = frictionLayerAt(*felt, {0, 0, 0.8}).contact.scp.A;
   for (int k = 0; k < 100; ++k) {
     const Vec3 hand = 0.3 * Vec3(std::sin(0.06 * k), std::cos(0.1 * k) - 1.0, 0.0) + Vec3(0, 0, 0.8);
-    CHECK(glm::distance(at(*felt, hand).contact.scp.A, stuck) < 1e-9);
+    CHECK(glm::distance(frictionLayerAt(*felt, hand).contact.scp.A, stuck) < 1e-9);
   }
 }
 
@@ -103,23 +103,23 @@ TEST_CASE(
   constexpr double kWall_A = 1e7, kMu = 0.3, kDeep_A = 1.0, kHalf_A = 2.0;
   const auto felt = layer({{{0, 0, -kWall_A}, kWall_A}}, 0.0, {kMu, 0.0});
   Vec3 hand(0, 0, 1);
-  at(*felt, hand);
+  frictionLayerAt(*felt, hand);
   const auto go = [&](double x) {
     double worked = 0.0;
-    Vec3 force = at(*felt, hand).contact.displacement_A;
+    Vec3 force = frictionLayerAt(*felt, hand).contact.displacement_A;
     const Vec3 from = hand;
     // A multiple of the stretch per step, so that no step slips in part: 2 mu N / 200.
     const int steps = int(std::lround(std::abs(x - from.x) / (2.0 * kMu * kDeep_A / 200.0)));
     for (int k = 1; k <= steps; ++k) {
       const Vec3 next(from.x + (x - from.x) * k / steps, 0.0, -kDeep_A);
-      const Vec3 now = at(*felt, next).contact.displacement_A;
+      const Vec3 now = frictionLayerAt(*felt, next).contact.displacement_A;
       worked -= 0.5 * glm::dot(force + now, next - hand);
       hand = next, force = now;
     }
     return worked;
   };
   hand.z = -kDeep_A;
-  at(*felt, hand);
+  frictionLayerAt(*felt, hand);
   go(kHalf_A);
   double worked = 0.0;
   for (int k = 0; k < 5; ++k) worked += go(-kHalf_A) + go(kHalf_A);
@@ -133,12 +133,12 @@ TEST_CASE(
     "slip per 0.15 A") {
   constexpr double kWall_A = 1e7;
   const auto felt = layer({{{0, 0, -kWall_A}, kWall_A}}, 0.0, {0.3, 0.5});
-  at(*felt, {0, 0, 1});
-  at(*felt, {0, 0, -1});
+  frictionLayerAt(*felt, {0, 0, 1});
+  frictionLayerAt(*felt, {0, 0, -1});
   int slips = 0;
   double most = 0.0, least_after = 1.0;
   for (int k = 1; k <= 60000; ++k) {
-    const Load load = loadOf(at(*felt, {1e-4 * k, 0, -1}).contact);
+    const Load load = loadOf(frictionLayerAt(*felt, {1e-4 * k, 0, -1}).contact);
     most = std::max(most, load.drag / load.normal);
     if (felt->slipped()) {
       ++slips;
@@ -160,7 +160,7 @@ TEST_CASE(
   REQUIRE(motion);
   for (const bool follows : {true, false}) {
     const auto felt = layer(from, 1.4, {0.5, 0.0});
-    const auto deep = [&](double z) { return at(*felt, {0.05, 0, z}); };
+    const auto deep = [&](double z) { return frictionLayerAt(*felt, {0.05, 0, z}); };
     deep(4);
     const Contact before = deep(1.6).contact;
     REQUIRE(felt->setMotion(motion->get()));
@@ -168,7 +168,7 @@ TEST_CASE(
     for (int k = 1; k <= 100; ++k) {
       felt->advanceTo(k / 100.0);
       const Vec3 moved = way * (k / 100.0);
-      const Contact c = at(*felt, Vec3(0.05, 0, 1.6) + (follows ? moved : Vec3(0.0))).contact;
+      const Contact c = frictionLayerAt(*felt, Vec3(0.05, 0, 1.6) + (follows ? moved : Vec3(0.0))).contact;
       distance_A = std::max(distance_A, glm::distance(c.scp.A, before.scp.A + moved));
       force_A =
           std::max(force_A, glm::distance(c.displacement_A, before.displacement_A + (follows ? Vec3(0.0) : moved)));
@@ -199,7 +199,7 @@ TEST_CASE(
     for (const Vec3& place : scenes::walk(scene, 2000, seed)) {
       // A lost tick now and then, and a few lost in a row.
       if (++k % 50 < random() % 8) continue;
-      const Response now = at(*felt, place);
+      const Response now = frictionLayerAt(*felt, place);
       // The energy of the spring if the contact had stayed: the rest is what the friction takes.
       const double stayed = 0.5 * share * glm::dot(scp - place, scp - place);
       if (!first && now.contact.touching()) {
@@ -233,11 +233,11 @@ TEST_CASE(
   const std::vector<Sphere> spheres{{{-1.5, 0, 0}, 3.0}, {{1.5, 0, 0}, 3.0}};
   const auto texture = std::make_shared<Roughness>(Roughness{0.25f, 1.5f});
   const auto felt = layer(spheres, 0.0, {0.4, 0.0}, texture);
-  at(*felt, {-2, 0, 5});
-  Contact before = at(*felt, {-2, 0, 1.2}).contact;
+  frictionLayerAt(*felt, {-2, 0, 5});
+  Contact before = frictionLayerAt(*felt, {-2, 0, 1.2}).contact;
   double step_A = 0.0, first = 0.0, last = 0.0, between = 0.0;
   for (int k = 0; k <= 8000; ++k) {
-    const Contact c = at(*felt, {-2.0 + 5e-4 * k, 0, 1.2}).contact;
+    const Contact c = frictionLayerAt(*felt, {-2.0 + 5e-4 * k, 0, 1.2}).contact;
     const Pushes pushes = pushesAlong(c, c.displacement_A);
     double rough = 0.0;
     for (std::size_t n = 0; n < 3; ++n)

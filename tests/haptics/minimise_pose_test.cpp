@@ -12,7 +12,7 @@ using namespace moltact;
 
 namespace {
 
-PairAtom argon(const Vec3& at) { return {at, 1.91f, 0.238f, 0.0f}; }
+PairAtom minimisePoseArgon(const Vec3& at) { return {at, 1.91f, 0.238f, 0.0f}; }
 
 PairSum sumOf(const std::vector<PairAtom>& scene, const std::vector<PairAtom>& body) {
   std::vector<Sphere> places;
@@ -27,8 +27,8 @@ PoseA turned(const Vec3& at, double angle, const Vec3& axis) {
 }  // namespace
 
 TEST_CASE("an argon atom from 3 to 6 A away comes to 3.82 A and -0.238 kcal/mol within 60 steps") {
-  PairSum sum = sumOf({argon({})}, {argon({})});
-  PoseMinimiser minimiser(sum, radiusOfGyration_A(std::vector<PairAtom>{argon({})}));
+  PairSum sum = sumOf({minimisePoseArgon({})}, {minimisePoseArgon({})});
+  PoseMinimiser minimiser(sum, radiusOfGyration_A(std::vector<PairAtom>{minimisePoseArgon({})}));
   for (const double from : {3.0, 3.5, 4.0, 5.0, 6.0}) {
     CAPTURE(from);
     minimiser.start({{Vec3(0, 0.6 * from, 0.8 * from)}});
@@ -40,8 +40,8 @@ TEST_CASE("an argon atom from 3 to 6 A away comes to 3.82 A and -0.238 kcal/mol 
 }
 
 TEST_CASE("a pair of argon atoms turns until both are 3.82 A from a third: twice 0.238 kcal/mol") {
-  const std::vector<PairAtom> pair{argon({-1.91, 0, 0}), argon({1.91, 0, 0})};
-  PairSum sum = sumOf({argon({})}, pair);
+  const std::vector<PairAtom> pair{minimisePoseArgon({-1.91, 0, 0}), minimisePoseArgon({1.91, 0, 0})};
+  PairSum sum = sumOf({minimisePoseArgon({})}, pair);
   CHECK(radiusOfGyration_A(pair) == doctest::Approx(1.91));
   PoseMinimiser minimiser(sum, radiusOfGyration_A(pair));
   for (const double angle : {0.0, 0.4, 0.8, 1.0}) {
@@ -96,7 +96,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a start far away or not finite is converged at once, and 200 steps allocate nothing") {
-  PairSum sum = sumOf({argon({}), argon({4, 0, 0})}, {argon({})});
+  PairSum sum = sumOf({minimisePoseArgon({}), minimisePoseArgon({4, 0, 0})}, {minimisePoseArgon({})});
   PoseMinimiser minimiser(sum, 1.0);
   CHECK_FALSE(minimiser.step());
   for (const Vec3& at : {Vec3(1000, 0, 0), Vec3(NAN, 0, 0), Vec3(INFINITY, 0, 0)}) {

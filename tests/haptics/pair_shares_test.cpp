@@ -26,19 +26,19 @@ EnergyByPart pairEnergy(const PairAtom& a, const PairAtom& b, double r) {
   return out;
 }
 
-struct Crowd {
+struct PairSharesCrowd {
   std::shared_ptr<PairField> field = std::make_shared<PairField>();
   std::vector<std::uint32_t> group_of_carrier;
 };
 
 // 400 atoms in 37 groups about a body of 9 atoms.
-Crowd crowd() {
+PairSharesCrowd pairSharesCrowd() {
   std::mt19937 random(11);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   const auto kind = [&](const Vec3& at) {
     return PairAtom{at, float(in(0.6, 2.1)), float(in(0.0, 0.25)), float(in(-0.8, 0.8))};
   };
-  Crowd out;
+  PairSharesCrowd out;
   std::vector<Sphere> places;
   while (out.field->atoms.size() < 400) {
     const Vec3 at(in(-14, 14), in(-14, 14), in(-14, 14));
@@ -60,7 +60,7 @@ Crowd crowd() {
 TEST_CASE(
     "the energies of 9 held atoms and of 37 groups are those of all their pairs to 1e-4, and both add up to the energy "
     "of the direct sum, in 20 poses") {
-  const Crowd c = crowd();
+  const PairSharesCrowd c = pairSharesCrowd();
   PairShares shares(c.field, c.group_of_carrier);
   PairSum sum(c.field->places, c.field->atoms, c.field->held, c.field->model);
   std::mt19937 random(5);
@@ -111,7 +111,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the pairs above 0.5 kcal/mol are those of the definition; a pose that is not finite has no energy") {
-  const Crowd c = crowd();
+  const PairSharesCrowd c = pairSharesCrowd();
   PairShares shares(c.field, c.group_of_carrier);
   const PoseA pose{{Vec3(3.0, -1.0, 1.5)}};
   shares.at(pose);

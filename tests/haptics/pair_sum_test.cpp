@@ -15,10 +15,10 @@ namespace {
 using Real = long double;
 
 // AMBER's argon: lowest energy of 0.238 kcal/mol at 3.82 A.
-PairAtom argon(const Vec3& at) { return {at, 1.91f, 0.238f, 0.0f}; }
+PairAtom pairSumArgon(const Vec3& at) { return {at, 1.91f, 0.238f, 0.0f}; }
 PairAtom charge(const Vec3& at, float e) { return {at, 0.0f, 0.0f, e}; }
 
-PairSum sumOf(const std::vector<PairAtom>& scene, const std::vector<PairAtom>& body, const PairModel& model) {
+PairSum pairSumSumOf(const std::vector<PairAtom>& scene, const std::vector<PairAtom>& body, const PairModel& model) {
   std::vector<Sphere> spheres;
   for (const PairAtom& a : scene) spheres.push_back({a.centre_A, 1.5});
   return PairSum(std::make_shared<const SphereGrid>(std::move(spheres)), scene, body, model);
@@ -32,18 +32,18 @@ PairModel unbounded(Dielectric kind = Dielectric::Constant, double dielectric = 
   return m;
 }
 
-struct Scene {
+struct PairSumScene {
   std::vector<PairAtom> atoms, body;
 };
 
 // A crowd of atoms about 2 A apart in a ball, with a gap of 4 A in its middle for the body.
-Scene crowd(unsigned seed, int atoms = 900, int held = 12) {
+PairSumScene pairSumCrowd(unsigned seed, int atoms = 900, int held = 12) {
   std::mt19937 random(seed);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   const auto kind = [&](const Vec3& at) {
     return PairAtom{at, float(in(0.6, 2.1)), float(in(0.0, 0.25)), float(in(-0.8, 0.8))};
   };
-  Scene out;
+  PairSumScene out;
   while (int(out.atoms.size()) < atoms) {
     const Vec3 at(in(-14, 14), in(-14, 14), in(-14, 14));
     if (glm::length(at) > 5.0) out.atoms.push_back(kind(at));
@@ -52,7 +52,7 @@ Scene crowd(unsigned seed, int atoms = 900, int held = 12) {
   return out;
 }
 
-PoseA pose(const Vec3& at, const Vec3& turn = Vec3(0.0)) {
+PoseA pairSumPose(const Vec3& at, const Vec3& turn = Vec3(0.0)) {
   const double angle = glm::length(turn);
   return {{at}, angle > 0 ? glm::angleAxis(angle, turn / angle) : kNoRotation};
 }
@@ -88,7 +88,7 @@ Real feltOf(Real energy, const PairModel& m) {
   return well * std::asinh(g * energy / well);
 }
 
-OracleEnergy oracle(const Scene& s, const PairModel& m, const PoseA& at) {
+OracleEnergy oracle(const PairSumScene& s, const PairModel& m, const PoseA& at) {
   OracleEnergy out;
   Real nearest = INFINITY;
   const glm::dmat3 turn = glm::mat3_cast(at.orientation);
@@ -118,23 +118,24 @@ OracleEnergy oracle(const Scene& s, const PairModel& m, const PoseA& at) {
 
 TEST_CASE("two argon atoms have their lowest energy, -0.238 kcal/mol, at 3.82 A, and none at 3.82 / 2^(1/6) A") {
   PairModel model = unbounded();
-  PairSum sum = sumOf({argon({})}, {argon({})}, model);
-  const PairEnergy well = sum.at(pose({3.82, 0, 0}));
+  PairSum sum = pairSumSumOf({pairSumArgon({})}, {pairSumArgon({})}, model);
+  const PairEnergy well = sum.at(pairSumPose({3.82, 0, 0}));
   CHECK(well.energy.parts[EnergyPart::VanDerWaals] == doctest::Approx(-0.238).epsilon(1e-6));
   CHECK(glm::length(well.force_kcal_mol_A) < 1e-6);
   // 72 e / rmin^2 is the curvature of the well.
   CHECK(well.stiffness_kcal_mol_A2 == doctest::Approx(72 * 0.238 / (3.82 * 3.82)).epsilon(0.25));
   CHECK(well.stiffness_kcal_mol_A2 >= 72 * 0.238 / (3.82 * 3.82) * (1 - 1e-5));
-  CHECK(std::abs(sum.at(pose({0, 3.82 / std::pow(2.0, 1.0 / 6), 0})).energy.parts[EnergyPart::VanDerWaals]) < 1e-6);
-  CHECK(sum.at(pose({0, 0, 10.0})).energy.felt_kcal_mol == 0.0);
-  CHECK(sum.at(pose({0, 0, 3.0})).force_kcal_mol_A.z > 10.0);
-  CHECK(sum.at(pose({0, 0, 5.0})).force_kcal_mol_A.z < 0.0);
+  CHECK(std::abs(sum.at(pairSumPose({0, 3.82 / std::pow(2.0, 1.0 / 6), 0})).energy.parts[EnergyPart::VanDerWaals]) <
+        1e-6);
+  CHECK(sum.at(pairSumPose({0, 0, 10.0})).energy.felt_kcal_mol == 0.0);
+  CHECK(sum.at(pairSumPose({0, 0, 3.0})).force_kcal_mol_A.z > 10.0);
+  CHECK(sum.at(pairSumPose({0, 0, 5.0})).force_kcal_mol_A.z < 0.0);
 }
 
 TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three dielectrics, as by their formulas") {
   const std::vector<PairAtom> plus{charge({}, 1.0f)}, minus{charge({}, -1.0f)};
   const auto energy = [&](const PairModel& m) {
-    return sumOf(plus, minus, m).at(pose({3, 4, 0})).energy.parts[EnergyPart::Electrostatic];
+    return pairSumSumOf(plus, minus, m).at(pairSumPose({3, 4, 0})).energy.parts[EnergyPart::Electrostatic];
   };
   CHECK(energy(unbounded()) == doctest::Approx(-332.0637 / (4 * 5)).epsilon(1e-6));
   CHECK(energy(unbounded(Dielectric::Distance)) == doctest::Approx(-332.0637 / (4 * 25)).epsilon(1e-6));
@@ -144,10 +145,11 @@ TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three
 
 TEST_CASE(
     "a charge at 7 A on the axis of a dipole of 0.1 A and one charge has q p / (eps r^2), within the next order") {
-  PairSum sum = sumOf({charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)}, {charge({}, 1.0f)}, unbounded());
-  CHECK(sum.at(pose({0, 0, 7.0})).energy.parts[EnergyPart::Electrostatic] ==
+  PairSum sum =
+      pairSumSumOf({charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)}, {charge({}, 1.0f)}, unbounded());
+  CHECK(sum.at(pairSumPose({0, 0, 7.0})).energy.parts[EnergyPart::Electrostatic] ==
         doctest::Approx(332.0637 * 0.1 / (4 * 49)).epsilon(1e-3));
-  CHECK(std::abs(sum.at(pose({7.0, 0, 0})).energy.parts[EnergyPart::Electrostatic]) < 1e-5);
+  CHECK(std::abs(sum.at(pairSumPose({7.0, 0, 0})).energy.parts[EnergyPart::Electrostatic]) < 1e-5);
 }
 
 TEST_CASE(
@@ -155,7 +157,7 @@ TEST_CASE(
     "the torque p x E, within the next order") {
   const std::vector<PairAtom> dipole{charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)},
       single{charge({}, 1.0f)};
-  PairSum on_charge = sumOf(dipole, single, unbounded()), on_dipole = sumOf(single, dipole, unbounded());
+  PairSum on_charge = pairSumSumOf(dipole, single, unbounded()), on_dipole = pairSumSumOf(single, dipole, unbounded());
   const Vec3 p(0, 0, 0.1);
   std::mt19937 random(81);
   std::normal_distribution<double> normal;
@@ -163,10 +165,10 @@ TEST_CASE(
     const Vec3 r = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
     const double unit = 332.0637 / 4.0;
     const Vec3 force = unit * (3.0 * glm::dot(p, r) * r - p) / (7.0 * 7.0 * 7.0);
-    CHECK(glm::distance(on_charge.at(pose(7.0 * r)).force_kcal_mol_A, force) < 1e-3 * glm::length(force));
+    CHECK(glm::distance(on_charge.at(pairSumPose(7.0 * r)).force_kcal_mol_A, force) < 1e-3 * glm::length(force));
     // The field of the charge at the dipole, 7 A from it along r.
     const Vec3 field = unit * r / 49.0, torque = glm::cross(p, field);
-    const PairEnergy found = on_dipole.at(pose(7.0 * r));
+    const PairEnergy found = on_dipole.at(pairSumPose(7.0 * r));
     CHECK(glm::distance(found.torque_kcal_mol, torque) < 1e-3 * unit * 0.1 / 49.0);
     CHECK(glm::distance(found.force_kcal_mol_A, -force) < 1e-3 * glm::length(force));
   }
@@ -187,11 +189,11 @@ TEST_CASE(
     for (int k = -kHalf; k <= kHalf; ++k)
       row.push_back(charge({kApart_A * k, 0, 0},
                            float((alternating && k % 2 ? -1.0 : 1.0) * (std::abs(k) == kHalf ? 0.5 : 1.0))));
-    PairSum sum = sumOf(row, {charge({}, 1.0f)}, model);
+    PairSum sum = pairSumSumOf(row, {charge({}, 1.0f)}, model);
     for (const double d : {1.0, 1.5, 2.0, 3.0, 4.0}) {
       CAPTURE(alternating);
       CAPTURE(d);
-      const PairEnergy found = sum.at(pose({0, d * 0.6, d * 0.8}));
+      const PairEnergy found = sum.at(pairSumPose({0, d * 0.6, d * 0.8}));
       double right = 0.0;
       if (alternating) {
         for (int m = 1; m < 40; m += 2) right += std::cyl_bessel_k(0.0, kPi * m * d / kApart_A);
@@ -215,16 +217,16 @@ struct Differences {
 
 // The greatest differences from the oracle and its differences of energy at random poses, as shares of the sum of the
 // amounts of all pairs' energies.
-Differences worstDifferences(const Scene& scene, const PairModel& model, unsigned seed, int poses, double shift_A,
-                             double turn) {
-  PairSum sum = sumOf(scene.atoms, scene.body, model);
+Differences worstDifferences(const PairSumScene& scene, const PairModel& model, unsigned seed, int poses,
+                             double shift_A, double turn) {
+  PairSum sum = pairSumSumOf(scene.atoms, scene.body, model);
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   const auto any = [&](double size) { return size * Vec3(normal(random), normal(random), normal(random)); };
   Differences worst;
   int judged = 0;
   while (judged < poses) {
-    const PoseA at = pose(any(shift_A), any(turn));
+    const PoseA at = pairSumPose(any(shift_A), any(turn));
     const glm::dmat3 turned = glm::mat3_cast(at.orientation);
     double nearest = INFINITY;
     for (const PairAtom& b : scene.body)
@@ -246,8 +248,8 @@ Differences worstDifferences(const Scene& scene, const PairModel& model, unsigne
       const auto felt = [&](const PoseA& p) { return oracle(scene, model, p).felt; };
       force[axis] = double((felt({{at.place.A - step}, at.orientation}) - felt({{at.place.A + step}, at.orientation})) /
                            (2 * kStep));
-      torque[axis] = double((felt({at.place, pose({}, -step).orientation * at.orientation}) -
-                             felt({at.place, pose({}, step).orientation * at.orientation})) /
+      torque[axis] = double((felt({at.place, pairSumPose({}, -step).orientation * at.orientation}) -
+                             felt({at.place, pairSumPose({}, step).orientation * at.orientation})) /
                             (2 * kStep));
     }
     // The steepest pair's scale: an energy's gradient is at most about 12 / r of it.
@@ -269,7 +271,7 @@ TEST_CASE(
       CAPTURE(seed);
       PairModel model = unbounded(kind);
       model.wall_kcal_mol = wall;
-      const Differences worst = worstDifferences(crowd(seed), model, seed, 60, 0.3, 0.5);
+      const Differences worst = worstDifferences(pairSumCrowd(seed), model, seed, 60, 0.3, 0.5);
       CHECK(worst.energy < 2e-6);
       CHECK(worst.force < 2e-6);
       CHECK(worst.torque < 2e-6);
@@ -284,7 +286,7 @@ TEST_CASE(
     PairModel model = unbounded(Dielectric::Distance, 4.0);
     model.wall_kcal_mol = 1.0;
     model.weak_gain = gain;
-    const Differences worst = worstDifferences(crowd(41), model, 41, 60, 0.3, 0.5);
+    const Differences worst = worstDifferences(pairSumCrowd(41), model, 41, 60, 0.3, 0.5);
     CHECK(worst.energy < 2e-6 * gain);
     CHECK(worst.force < 2e-6 * gain);
     CHECK(worst.torque < 2e-6 * gain);
@@ -297,7 +299,7 @@ TEST_CASE(
   // 120 atoms from 4 to 9 A from the middle, five held.
   std::mt19937 random(71);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-  Scene scene;
+  PairSumScene scene;
   const auto kind = [&](const Vec3& at) {
     return PairAtom{at, float(in(0.6, 2.1)), float(in(0.0, 0.25)), float(in(-0.8, 0.8))};
   };
@@ -321,14 +323,14 @@ TEST_CASE(
     "no second difference of the energy along 60 translations and rotations exceeds the bounds of the stiffness") {
   for (const unsigned seed : {31u, 32u, 33u}) {
     CAPTURE(seed);
-    const Scene scene = crowd(seed);
+    const PairSumScene scene = pairSumCrowd(seed);
     PairModel model;
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     for (int k = 0; k < 60; ++k) {
-      PairSum sum = sumOf(scene.atoms, scene.body, model);
+      PairSum sum = pairSumSumOf(scene.atoms, scene.body, model);
       const auto any = [&] { return Vec3(normal(random), normal(random), normal(random)); };
-      const PoseA at = pose(0.2 * any(), 0.3 * any());
+      const PoseA at = pairSumPose(0.2 * any(), 0.3 * any());
       const PairEnergy found = sum.at(at);
       const Vec3 way = glm::normalize(any());
       constexpr double kStep = 1e-4;
@@ -339,8 +341,8 @@ TEST_CASE(
       };
       const double along =
           curvature({{at.place.A - kStep * way}, at.orientation}, {{at.place.A + kStep * way}, at.orientation});
-      const double about = curvature({at.place, pose({}, -kStep * way).orientation * at.orientation},
-                                     {at.place, pose({}, kStep * way).orientation * at.orientation});
+      const double about = curvature({at.place, pairSumPose({}, -kStep * way).orientation * at.orientation},
+                                     {at.place, pairSumPose({}, kStep * way).orientation * at.orientation});
       CHECK(along <= found.stiffness_kcal_mol_A2 * 1.001 + 0.01);
       CHECK(about <= found.rotational_stiffness_kcal_mol * 1.001 + 0.01);
     }
@@ -350,9 +352,9 @@ TEST_CASE(
 TEST_CASE(
     "on a path of 3000 ticks with jumps, lists kept from tick to tick give what new lists give, and at most an "
     "eighth of them and one are renewed in a tick without a jump") {
-  const Scene scene = crowd(41, 2500, 40);
+  const PairSumScene scene = pairSumCrowd(41, 2500, 40);
   PairModel model;
-  PairSum kept = sumOf(scene.atoms, scene.body, model);
+  PairSum kept = pairSumSumOf(scene.atoms, scene.body, model);
   std::mt19937 random(41);
   std::normal_distribution<double> normal;
   Vec3 at(0.0), turn(0.0);
@@ -362,11 +364,11 @@ TEST_CASE(
     at += (jump ? 3.0 : 0.02) * Vec3(normal(random), normal(random), normal(random));
     turn += 0.005 * Vec3(normal(random), normal(random), normal(random));
     if (glm::length(at) > 8) at = Vec3(0.0);
-    const PairEnergy found = kept.at(pose(at, turn));
+    const PairEnergy found = kept.at(pairSumPose(at, turn));
     if (!jump && at != Vec3(0.0)) CHECK(kept.renewedLists() <= 40 / 8 + 1 + 40 * (tick == 0));
     if (tick % 50) continue;
-    PairSum fresh = sumOf(scene.atoms, scene.body, model);
-    const PairEnergy right = fresh.at(pose(at, turn));
+    PairSum fresh = pairSumSumOf(scene.atoms, scene.body, model);
+    const PairEnergy right = fresh.at(pairSumPose(at, turn));
     const double size = 1.0 + std::abs(right.energy.felt_kcal_mol);
     worst = std::max(
         {worst, std::abs(found.energy.felt_kcal_mol - right.energy.felt_kcal_mol) / size,
@@ -438,30 +440,31 @@ TEST_CASE("blocks that state the bounds of their distances give the bits of bloc
 }
 
 TEST_CASE("3000 atoms within 1 A, more than a list has room for, give what the oracle gives") {
-  Scene scene;
+  PairSumScene scene;
   std::mt19937 random(61);
   std::uniform_real_distribution<double> in(-0.5, 0.5);
   for (int k = 0; k < 3000; ++k) scene.atoms.push_back(charge(Vec3(in(random), in(random), in(random)), 0.01f));
   scene.body = {charge({}, 1.0f)};
   const PairModel model = unbounded();
-  PairSum sum = sumOf(scene.atoms, scene.body, model);
-  const PoseA at = pose({4, 0, 0});
+  PairSum sum = pairSumSumOf(scene.atoms, scene.body, model);
+  const PoseA at = pairSumPose({4, 0, 0});
   CHECK(sum.at(at).energy.parts[EnergyPart::Electrostatic] ==
         doctest::Approx(double(oracle(scene, model, at).electrostatic)).epsilon(1e-5));
   CHECK(sum.listedPairs() == 0);
 }
 
 TEST_CASE("two atoms in one place, an infinite pose and an empty body give finite numbers, and a far one none") {
-  PairSum sum = sumOf({argon({}), charge({1, 0, 0}, 1.0f)}, {argon({}), charge({1, 0, 0}, -1.0f)}, PairModel{});
+  PairSum sum = pairSumSumOf({pairSumArgon({}), charge({1, 0, 0}, 1.0f)}, {pairSumArgon({}), charge({1, 0, 0}, -1.0f)},
+                             PairModel{});
   for (const Vec3& at : {Vec3(0.0), Vec3(1e-30, 0, 0), Vec3(0.4, 0, 0), Vec3(1e9, 0, 0)}) {
-    const PairEnergy found = sum.at(pose(at));
+    const PairEnergy found = sum.at(pairSumPose(at));
     CHECK(std::isfinite(found.energy.felt_kcal_mol));
     CHECK(finite(found.force_kcal_mol_A));
     CHECK(finite(found.torque_kcal_mol));
     CHECK(std::isfinite(found.stiffness_kcal_mol_A2 + found.rotational_stiffness_kcal_mol));
   }
-  CHECK(sum.at(pose({NAN, 0, 0})).energy.felt_kcal_mol == 0.0);
+  CHECK(sum.at(pairSumPose({NAN, 0, 0})).energy.felt_kcal_mol == 0.0);
   CHECK(sum.at({{Vec3(0.0)}, Quat(NAN, 0, 0, 0)}).energy.felt_kcal_mol == 0.0);
-  CHECK(sum.at(pose({1e9, 0, 0})).energy.felt_kcal_mol == 0.0);
-  CHECK(sumOf({argon({})}, {}, PairModel{}).at(pose({})).energy.felt_kcal_mol == 0.0);
+  CHECK(sum.at(pairSumPose({1e9, 0, 0})).energy.felt_kcal_mol == 0.0);
+  CHECK(pairSumSumOf({pairSumArgon({})}, {}, PairModel{}).at(pairSumPose({})).energy.felt_kcal_mol == 0.0);
 }

@@ -12,7 +12,7 @@ using namespace moltact;
 using namespace moltact::paper;
 
 namespace {
-void checkNear(const Vec3& a, const Vec3& b) { CHECK(glm::distance(a, b) < 1e-13 * (1 + glm::length(b))); }
+void paperFormulasCheckNear(const Vec3& a, const Vec3& b) { CHECK(glm::distance(a, b) < 1e-13 * (1 + glm::length(b))); }
 }  // namespace
 
 TEST_CASE("spheres of radii 15 and 13 with centres 14 apart meet in a circle of radius 12, 9 from the first") {
@@ -22,8 +22,8 @@ TEST_CASE("spheres of radii 15 and 13 with centres 14 apart meet in a circle of 
   REQUIRE(circle);
   CHECK(circle->radius == doctest::Approx(12));
   CHECK(circle->height == 9.0);
-  checkNear(circle->axis, {0, 1, 0});
-  checkNear(circle->centre, {1, 11, 3});  // S0 + 9; the printed S1 + S^ x would give 25
+  paperFormulasCheckNear(circle->axis, {0, 1, 0});
+  paperFormulasCheckNear(circle->centre, {1, 11, 3});  // S0 + 9; the printed S1 + S^ x would give 25
 }
 
 TEST_CASE("a circle behind the smaller sphere's centre has a negative height") {
@@ -52,8 +52,8 @@ TEST_CASE("spheres of radius 3 that overlap by 1e-9 meet in a circle of radius 5
 
 TEST_CASE("the closest place on a circle lies toward the HIP, and from the axis toward the last place") {
   const auto circle = *intersectionCircle({-3, 0, 0}, 5, {3, 0, 0}, 5);
-  checkNear(closestOnCircle(circle, {2, 3, 4}, {0, 0, 4}), {0, 2.4, 3.2});
-  checkNear(closestOnCircle(circle, {2, 0, 0}, {0, -4, 0}), {0, -4, 0});
+  paperFormulasCheckNear(closestOnCircle(circle, {2, 3, 4}, {0, 0, 4}), {0, 2.4, 3.2});
+  paperFormulasCheckNear(closestOnCircle(circle, {2, 0, 0}, {0, -4, 0}), {0, -4, 0});
   CHECK(std::isfinite(closestOnCircle(circle, {2, 0, 0}, {1, 0, 0}).y));
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("past its base, at 9, a cone hands over to the neighbour's, whose heig
   CHECK(other.atom == 7);
   CHECK(other.neighbour == 4);
   CHECK(other.circle.height == doctest::Approx(5));
-  checkNear(other.circle.axis, {-1, 0, 0});
+  paperFormulasCheckNear(other.circle.axis, {-1, 0, 0});
   CHECK(insideCone(other, {12, 4.7, 0}));  // 12 / 5 x 2 = 4.8
   CHECK_FALSE(insideCone(other, {12, 4.9, 0}));
 }
@@ -83,8 +83,8 @@ TEST_CASE("spheres of radius 17 at -8 and 8 and one of radius 13 at 14 across me
   const auto circle = *intersectionCircle({-8, 0, 0}, 17, {8, 0, 0}, 17);  // radius 15
   const auto points = intersectionPoints(circle, {0, 14, 0}, 13);
   REQUIRE(points);
-  checkNear(points->P0, {0, 9, 12});  // F = n x V = x x y = z
-  checkNear(points->P1, {0, 9, -12});
+  paperFormulasCheckNear(points->P0, {0, 9, 12});  // F = n x V = x x y = z
+  paperFormulasCheckNear(points->P1, {0, 9, -12});
 }
 
 TEST_CASE("a third sphere whose centre lies 3 off the circle's plane cuts it in a smaller circle") {
@@ -93,8 +93,8 @@ TEST_CASE("a third sphere whose centre lies 3 off the circle's plane cuts it in 
   const auto circle = *intersectionCircle({-3, 0, 0}, 5, {3, 0, 0}, 5);
   const auto points = intersectionPoints(circle, {3, 4, 0}, 5);
   REQUIRE(points);
-  checkNear(points->P0, {0, 2, std::sqrt(12.0)});
-  checkNear(points->P1, {0, 2, -std::sqrt(12.0)});
+  paperFormulasCheckNear(points->P0, {0, 2, std::sqrt(12.0)});
+  paperFormulasCheckNear(points->P1, {0, 2, -std::sqrt(12.0)});
 }
 
 TEST_CASE("a third sphere beside the plane, round the whole circle, on it or only touching it gives no points") {
@@ -110,7 +110,7 @@ TEST_CASE(
     "sphere") {
   const auto volume = pointVolume({0, 9, 12}, {5, 6, 7}, {Vec3(-8, 0, 0), Vec3(8, 0, 0), Vec3(0, 14, 0)});
   REQUIRE(volume);
-  checkNear(volume->planes[0].normal, {0, 0.8, -0.6});  // T = (0, 9, 12), N = T x n = (0, 12, -9) / 15
+  paperFormulasCheckNear(volume->planes[0].normal, {0, 0.8, -0.6});  // T = (0, 9, 12), N = T x n = (0, 12, -9) / 15
   CHECK(volume->planes[0].circle == std::array{5, 6});
   // Straight under the point between the centres is inside; past the first plane its circle is the one to go
   // to.

@@ -12,13 +12,13 @@ using namespace moltact::test;
 
 namespace {
 
-const std::string kLesson = "a-protein-reads-dna";
+const std::string kAProteinReadsDnaLesson = "a-protein-reads-dna";
 
 }  // namespace
 
 TEST_CASE(
     "a-protein-reads-dna.md has 9 steps, a letter to dock, a way down the groove, a search and trials in the dark") {
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kAProteinReadsDnaLesson);
   checkCare(lesson);
   CHECK(lesson.steps.size() == 9);
   CHECK(tasksOf(lesson, "dock") == 1);
@@ -37,8 +37,10 @@ TEST_CASE("the DNA without protein is that of the complex, atom by atom") {
 
 TEST_CASE("15 letters have fewer forms than human DNA has places, 18 letters more: six fingers") {
   SAYS(lineSaying(
-      kLesson, "A text of 15 letters has about 1 thousand million forms, one of 18 letters about 69 thousand million"));
-  SAYS(lineSaying(kLesson, "With five, a text would be found by chance at about six places, three on each strand"));
+      kAProteinReadsDnaLesson,
+      "A text of 15 letters has about 1 thousand million forms, one of 18 letters about 69 thousand million"));
+  SAYS(lineSaying(kAProteinReadsDnaLesson,
+                  "With five, a text would be found by chance at about six places, three on each strand"));
   CHECK(std::pow(4.0, 15) == 1073741824.0);
   CHECK(std::pow(4.0, 18) == 68719476736.0);
   CHECK(3.2e9 / std::pow(4.0, 15) == doctest::Approx(3.0).epsilon(0.02));
@@ -47,7 +49,7 @@ TEST_CASE("15 letters have fewer forms than human DNA has places, 18 letters mor
 }
 
 TEST_CASE("the way down the groove is passed by a hand that slides, by none that jabs the same atoms or one of them") {
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kAProteinReadsDnaLesson);
   const ShippedScene bare("1a1f-dna");
   const TaskSpec& spec = taskOf(lesson, "take-the-fingers-away", "trace");
   std::vector<std::string> way;
@@ -85,7 +87,7 @@ TEST_CASE(
     "at "
     "the sugar within 0.5 A and the rings within 20 degrees of cytosine's direction, it overlaps in each of 200 000 "
     "poses, and cytosine does not") {
-  SAYS(lineSaying(kLesson, "tried guanine in 200 000 poses in the place of cytosine 56"));
+  SAYS(lineSaying(kAProteinReadsDnaLesson, "tried guanine in 200 000 poses in the place of cytosine 56"));
   const ShippedScene bare("1a1f-dna");
   // The scene without a whole letter, and its base as a body.
   struct Gap {

@@ -12,7 +12,7 @@ using namespace moltact::test;
 
 namespace {
 
-const std::string kLesson = "a-virus-in-the-hand";
+const std::string kAVirusInTheHandLesson = "a-virus-in-the-hand";
 
 const Molecule& shell() {
   static const Molecule molecule = [] {
@@ -49,7 +49,7 @@ double stop_A(const Vec3& axis, double sphere_A) {
 }  // namespace
 
 TEST_CASE("a-virus-in-the-hand.md has 7 steps, a ring to trace, a search and trials in the dark") {
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kAVirusInTheHandLesson);
   checkCare(lesson);
   CHECK(lesson.steps.size() == 7);
   CHECK(tasksOf(lesson, "trace") == 1);
@@ -60,16 +60,16 @@ TEST_CASE("a-virus-in-the-hand.md has 7 steps, a ring to trace, a search and tri
 TEST_CASE(
     "the shell has 60 pieces of 635 amino acids and nearly 300 000 atoms, 34 nm from tip to tip, which no single gene "
     "could write") {
-  SAYS(lineSaying(kLesson, "300 000 atoms, 34 nm from tip to tip"));
-  SAYS(lineSaying(kLesson, "60 × 635 × 3 = 114 300"));
-  SAYS(lineSaying(kLesson, "together 635 amino acids"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "300 000 atoms, 34 nm from tip to tip"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "60 × 635 × 3 = 114 300"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "together 635 amino acids"));
   const auto alpha = placesOf("protein and name CA");
   CHECK(60 * 635 * 3 == 114300);
   CHECK(635 * 3 == 1905);
-  SAYS(lineSaying(kLesson, "about twenty times what such a virus has"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "about twenty times what such a virus has"));
   CHECK(114300.0 / 5386.0 == doctest::Approx(20.0).epsilon(0.1));
   // A page of a book has some 2000 letters.
-  SAYS(lineSaying(kLesson, "It has 5386 letters, three pages of a book"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "It has 5386 letters, three pages of a book"));
   CHECK(std::ceil(5386.0 / 2000.0) == 3.0);
   double farthest = 0.0;
   for (const Vec3& p : alpha) farthest = std::max(farthest, glm::length(p));
@@ -78,8 +78,9 @@ TEST_CASE(
 
 TEST_CASE(
     "the shell is that of the phage alpha3 and its small protein J that of phiX174, as lesson, title and SOURCE say") {
-  SAYS(lineSaying(kLesson, "This is the shell of its close relative **α3**"));
-  SAYS(lineSaying(kLesson, "shell and spikes (F and G) of the phage α3 with the small protein J of φX174"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "This is the shell of its close relative **α3**"));
+  SAYS(lineSaying(kAVirusInTheHandLesson,
+                  "shell and spikes (F and G) of the phage α3 with the small protein J of φX174"));
   std::ifstream in(MOLTACT_SOURCE_DIR "/molecules/1rb8.pdb");
   std::string title, line;
   std::map<char, std::string> molecule_of_chain;            // "1" for F
@@ -104,10 +105,10 @@ TEST_CASE(
 
 TEST_CASE(
     "five knobs 72 degrees apart stand round the tip of a spike, three round a place of three, two across a border") {
-  SAYS(lineSaying(kLesson,
+  SAYS(lineSaying(kAVirusInTheHandLesson,
                   "stand 10 Å from the five-fold axis, of Ser 188 (F) 4.3 Å from the three-fold, of Asp 80 (F) 7.4 "
                   "Å from the two-fold"));
-  SAYS(lineSaying(kLesson, "threonine 92 (an amino acid; the number is its place in the chain)"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "threonine 92 (an amino acid; the number is its place in the chain)"));
   struct Place {
     const char* text;
     std::size_t count;
@@ -132,8 +133,8 @@ TEST_CASE(
 }
 
 TEST_CASE("there are 12 spikes, 20 places of three and 30 of two") {
-  SAYS(lineSaying(kLesson, "12 spikes, 20 places of three, 30 of two"));
-  SAYS(lineSaying(kLesson, "number: 12"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "12 spikes, 20 places of three, 30 of two"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "number: 12"));
   const auto different = [](const std::vector<Vec3>& places, double nearer_A) {
     std::vector<std::vector<Vec3>> groups;
     for (const Vec3& p : places) {
@@ -162,10 +163,10 @@ TEST_CASE(
     "shell; "
     "at "
     "the tip of a spike the sphere comes more than 40 A below; between two pieces lies a valley") {
-  SAYS(lineSaying(kLesson, "Between the three serines it sinks in about 10 Å, and then it is shut"));
-  SAYS(lineSaying(kLesson, "a channel between them, more than 40 Å deep"));
-  SAYS(lineSaying(kLesson, "how deep does it let you in before it stops you"));
-  SAYS(lineSaying(kLesson, "They look at each other across a valley"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "Between the three serines it sinks in about 10 Å, and then it is shut"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "a channel between them, more than 40 Å deep"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "how deep does it let you in before it stops you"));
+  SAYS(lineSaying(kAVirusInTheHandLesson, "They look at each other across a valley"));
   // Below the middle of a sphere that rests on the top of the outermost knob.
   const auto depth_A = [](const std::string& knobs) {
     const Vec3 axis = axisOf(placesOf(knobs));

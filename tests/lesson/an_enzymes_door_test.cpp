@@ -11,7 +11,7 @@ using namespace moltact::test;
 
 namespace {
 
-const std::string kLesson = "an-enzymes-door";
+const std::string kAnEnzymesDoorLesson = "an-enzymes-door";
 
 Vec3 alphaCarbon(const ShippedScene& scene, int residue) {
   return scene.atom("protein and name CA and residue " + std::to_string(residue)).position.A;
@@ -22,7 +22,7 @@ Vec3 alphaCarbon(const ShippedScene& scene, int residue) {
 TEST_CASE(
     "an-enzymes-door.md has 7 steps in the open and the shut form and between the two, two searches and trials in the "
     "dark") {
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kAnEnzymesDoorLesson);
   checkCare(lesson);
   CHECK(lesson.steps.size() == 7);
   CHECK(lesson.steps.at(2).scene.then.molecule == "1ake");
@@ -31,11 +31,11 @@ TEST_CASE(
 }
 
 TEST_CASE("on the core, the lid moves by 15 A in the mean and 24 A at most, the small door by 10 A and 18 A") {
-  SAYS(lineSaying(kLesson,
+  SAYS(lineSaying(kAnEnzymesDoorLesson,
                   "move by 15 Å in the mean and 24 Å at most, those of the small door (30-59) by 10 Å and 18 Å"));
-  SAYS(lineSaying(kLesson, "The tip of the lid has moved by up to 24 Å"));
-  SAYS(lineSaying(kLesson, "the lid turns by 52° and the"));
-  SAYS(lineSaying(kLesson, "small door by 45°. Over all the RMSD is 7.1 Å"));
+  SAYS(lineSaying(kAnEnzymesDoorLesson, "The tip of the lid has moved by up to 24 Å"));
+  SAYS(lineSaying(kAnEnzymesDoorLesson, "the lid turns by 52° and the"));
+  SAYS(lineSaying(kAnEnzymesDoorLesson, "small door by 45°. Over all the RMSD is 7.1 Å"));
   const ShippedScene open("4ake"), shut("1ake");
   AtomPairs core;
   for (int residue = 1; residue <= 214; ++residue) {
@@ -85,6 +85,6 @@ TEST_CASE("on the core, the lid moves by 15 A in the mean and 24 A at most, the 
 }
 
 TEST_CASE("AMP has the room of a sphere of 4.4 A") {
-  SAYS(lineSaying(kLesson, "AMP has 347 g/mol; at a density of 1.6 g/cm³ that is a ball of 4.4 Å"));
+  SAYS(lineSaying(kAnEnzymesDoorLesson, "AMP has 347 g/mol; at a density of 1.6 g/cm³ that is a ball of 4.4 Å"));
   CHECK(std::cbrt(3.0 * 347.2 / (0.602214 * 1.6) / (4.0 * std::numbers::pi)) == doctest::Approx(4.4).epsilon(0.01));
 }

@@ -10,7 +10,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kExtraStepsHead = "---\ntitle: T\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kBody =
     "## A\n```scene\nmolecule: mix\n```\nText.\n### Question: Q?\n- [x] a\n- [ ] b\n"
     "## B\n```step\nextra: yes\n```\n```scene\nprobe: 2 Å\n```\nText.\n### Question: R?\n- [x] a\n- [ ] b\n"
@@ -18,8 +18,9 @@ const std::string kBody =
     "## D\nText.\n### Question: S?\n- [x] a\n- [ ] b\n";
 
 std::vector<Problem> errorsOf(const std::string& body) {
-  LessonCheck check = checkLesson(
-      "l.md", kHead + body, [](const NamedMolecule&) { return std::make_shared<const Molecule>(mixedMolecule()); });
+  LessonCheck check = checkLesson("l.md", kExtraStepsHead + body, [](const NamedMolecule&) {
+    return std::make_shared<const Molecule>(mixedMolecule());
+  });
   return check.errors;
 }
 
@@ -27,7 +28,7 @@ std::vector<Problem> errorsOf(const std::string& body) {
 
 TEST_CASE("Next passes 2 extra steps over, the step before offers them, and neither progress nor the end counts them") {
   CHECK(errorsOf(kBody).empty());
-  LessonReading read = readLessonText("l.md", kHead + kBody);
+  LessonReading read = readLessonText("l.md", kExtraStepsHead + kBody);
   REQUIRE(read.lesson);
   LessonSession s(std::make_shared<const Lesson>(*read.lesson));
   CHECK(s.lesson().extrasOf(0) == std::vector<std::size_t>{1, 2});
@@ -50,7 +51,7 @@ TEST_CASE("Next passes 2 extra steps over, the step before offers them, and neit
 }
 
 TEST_CASE("what an extra step puts on the stage continues in the extra step after it and is gone in the core") {
-  LessonReading read = readLessonText("l.md", kHead + kBody);
+  LessonReading read = readLessonText("l.md", kExtraStepsHead + kBody);
   REQUIRE(read.lesson);
   CHECK(read.lesson->steps[1].scene.touch.probe_A == 2.0);
   CHECK(read.lesson->steps[2].scene.touch.probe_A == 2.0);

@@ -40,7 +40,7 @@ std::string lessonWith(const std::string& facts, const std::string& scene = "") 
          (scene.empty() ? "probe: 1.4 Å" : scene) + "\n```\n\nText.\n\n```facts\n" + facts + "\n```\n";
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string factsJoined(const std::vector<std::string>& lines) {
   std::string out;
   for (const std::string& line : lines) out += line + '\n';
   return out;
@@ -53,7 +53,7 @@ std::string falseOf(const std::string& facts, const std::string& scene = "") {
   REQUIRE(read.lesson);
   std::vector<std::string> out;
   for (const Problem& p : checkFacts(*read.lesson, bySquare)) out.push_back(p.text());
-  return joined(out);
+  return factsJoined(out);
 }
 
 /// The errors and warnings of a lesson that cannot be read.
@@ -62,7 +62,7 @@ std::string faultsOf(const std::string& facts) {
   const LessonReading read = readLessonText("l.md", lessonWith(facts));
   for (const auto* list : {&read.errors, &read.warnings})
     for (const Problem& p : *list) out.push_back(p.text());
-  return joined(out);
+  return factsJoined(out);
 }
 
 constexpr const char* kCorrect = "; correct the number here and in the text, or select other atoms";
@@ -103,31 +103,31 @@ largest: element N = 20 Å)")
 
 TEST_CASE("a false fact is reported with its line, the stated and the computed value, and a remedy") {
   CHECK(falseOf("nearest:\n- element N - element C = 4.52 Å\n- element N - element C = 4.53 Å\natoms: all = 6") ==
-        joined({std::string("l.md:22:3: 'nearest' is stated as 4.52 Å, but computed as 4.528 Å") + kCorrect,
-                std::string("l.md:24:8: 'atoms' is stated as 6, but computed as 5") + kCorrect}));
+        factsJoined({std::string("l.md:22:3: 'nearest' is stated as 4.52 Å, but computed as 4.528 Å") + kCorrect,
+                     std::string("l.md:24:8: 'atoms' is stated as 6, but computed as 5") + kCorrect}));
   CHECK(falseOf("touched: element C < 4\nturn: name C1 - name C2 = 57.0° to 57.8°\nshare: element N = 3 %") ==
-        joined({std::string("l.md:21:10: 'touched' is stated as 4, but computed as 4") + kCorrect,
-                std::string("l.md:22:7: 'turn' is stated as 57.0° to 57.8°, but computed as 57.88°") + kCorrect,
-                std::string("l.md:23:8: 'share' is stated as 3 %, but computed as 69.6 %") + kCorrect}));
+        factsJoined({std::string("l.md:21:10: 'touched' is stated as 4, but computed as 4") + kCorrect,
+                     std::string("l.md:22:7: 'turn' is stated as 57.0° to 57.8°, but computed as 57.88°") + kCorrect,
+                     std::string("l.md:23:8: 'share' is stated as 3 %, but computed as 69.6 %") + kCorrect}));
 }
 
 TEST_CASE("a fact that its atoms do not allow is reported, except a count of none") {
   CHECK(falseOf("atoms: element Fe = 0").empty());
   CHECK(falseOf("radius: element Fe = 1 Å") ==
-        joined({"l.md:21:17: element 'Fe' is not in square (elements: C, N); name atoms that it has"}));
+        factsJoined({"l.md:21:17: element 'Fe' is not in square (elements: C, N); name atoms that it has"}));
   CHECK(falseOf("radius: all = 1.7 Å") ==
-        joined({"l.md:21:9: these atoms differ in radius; select atoms of one element"}));
+        factsJoined({"l.md:21:9: these atoms differ in radius; select atoms of one element"}));
   CHECK(falseOf("nearest: name C1 - name C1 = 0 Å") ==
-        joined({"l.md:21:10: both selections are the same atom; select two atoms"}));
+        factsJoined({"l.md:21:10: both selections are the same atom; select two atoms"}));
   CHECK(falseOf("turn: all - name N = 5°") ==
-        joined({"l.md:21:7: the force turns between two atoms, but more are selected; select one on each side"}));
+        factsJoined({"l.md:21:7: the force turns between two atoms, but more are selected; select one on each side"}));
   CHECK(falseOf("probe: 0.1 Å\nturn: name C1 - name N = 5°") ==
-        joined({"l.md:22:7: the probe does not touch both atoms at once; select neighbours, or a larger probe"}));
+        factsJoined({"l.md:22:7: the probe does not touch both atoms at once; select neighbours, or a larger probe"}));
   CHECK(falseOf("out-of-plane: name N - name C1 C2 = 4 Å") ==
-        joined({"l.md:21:15: a plane needs three atoms or more; select more behind the ' - '"}));
-  CHECK(falseOf("share: all = 5 %") == joined({"l.md:21:8: 'share' is about one atom; select one"}));
+        factsJoined({"l.md:21:15: a plane needs three atoms or more; select more behind the ' - '"}));
+  CHECK(falseOf("share: all = 5 %") == factsJoined({"l.md:21:8: 'share' is about one atom; select one"}));
   CHECK(falseOf("remove: element Fe\natoms: all = 5") ==
-        joined({"l.md:21:9: element 'Fe' is not in square (elements: C, N); name atoms that it has"}));
+        factsJoined({"l.md:21:9: element 'Fe' is not in square (elements: C, N); name atoms that it has"}));
 }
 
 TEST_CASE("facts are read as the scene reads its molecule, unless the block names one") {
@@ -143,23 +143,25 @@ TEST_CASE("facts are read as the scene reads its molecule, unless the block name
 
 TEST_CASE("what is no fact is reported where it stands") {
   const std::string as_count = "write it as 'chain A and name CA = 146'";
-  CHECK(faultsOf("atoms: all") == joined({"l.md:21:8: no ' = ' separates the atoms from the number; " + as_count}));
-  CHECK(faultsOf("atoms:\n- all = 5\n- all = 1.5") == joined({"l.md:23:9: '1.5' is not a whole number"}));
-  CHECK(
-      faultsOf("nearest: all = 5 Å") ==
-      joined({"l.md:21:10: 'nearest' is computed from 2 selections, not from 1; write it as 'residue 35 - residue 52 = "
-              "5.8 Å'"}));
+  CHECK(faultsOf("atoms: all") ==
+        factsJoined({"l.md:21:8: no ' = ' separates the atoms from the number; " + as_count}));
+  CHECK(faultsOf("atoms:\n- all = 5\n- all = 1.5") == factsJoined({"l.md:23:9: '1.5' is not a whole number"}));
+  CHECK(faultsOf("nearest: all = 5 Å") ==
+        factsJoined(
+            {"l.md:21:10: 'nearest' is computed from 2 selections, not from 1; write it as 'residue 35 - residue 52 = "
+             "5.8 Å'"}));
   CHECK(faultsOf("nearest: all - elemnt C = 5 Å") ==
-        joined({"l.md:21:16: 'elemnt' is no word of a selection; did you mean 'element'?"}));
-  CHECK(faultsOf("radius: all = 5") == joined({"l.md:21:15: '5' needs a unit: Å or nm"}));
+        factsJoined({"l.md:21:16: 'elemnt' is no word of a selection; did you mean 'element'?"}));
+  CHECK(faultsOf("radius: all = 5") == factsJoined({"l.md:21:15: '5' needs a unit: Å or nm"}));
   CHECK(faultsOf("angle: all - all - all = 5 Å") ==
-        joined({"l.md:21:26: '5 Å' is a length, but an angle is needed: °"}));
+        factsJoined({"l.md:21:26: '5 Å' is a length, but an angle is needed: °"}));
   CHECK(faultsOf("radius: all = 5 Å to 4 Å") ==
-        joined({"l.md:21:15: the range ends below its start; write the smaller value first"}));
+        factsJoined({"l.md:21:15: the range ends below its start; write the smaller value first"}));
   CHECK(faultsOf("atom: all = 5").starts_with("l.md:21:1: facts has no key 'atom'; did you mean 'atoms'?"));
-  CHECK(faultsOf("probe: 2 Å") == joined({"l.md:20:4: this block states no fact; add one, or take the block out"}));
+  CHECK(faultsOf("probe: 2 Å") ==
+        factsJoined({"l.md:20:4: this block states no fact; add one, or take the block out"}));
   CHECK(faultsOf("molecule: squre\natoms: all = 5") ==
-        joined({"l.md:21:11: 'squre' is not among the lesson's molecules; did you mean 'square'?"}));
+        factsJoined({"l.md:21:11: 'squre' is not among the lesson's molecules; did you mean 'square'?"}));
 }
 
 TEST_CASE("nothing of a block of facts is shown") {

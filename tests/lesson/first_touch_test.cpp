@@ -13,7 +13,7 @@ using namespace moltact::test;
 
 namespace {
 
-constexpr const char* kLesson = "first-touch";
+constexpr const char* kFirstTouchLesson = "first-touch";
 constexpr const char* kFiles[] = {"first-touch", "first-touch.de"};
 constexpr double kWater_A = 1.4;
 
@@ -96,7 +96,7 @@ TEST_CASE(
     "from the bond between two rings of pentacene the probe sinks in by 0.25 A, and in the middle of each it rests in "
     "a pit") {
   const std::string says =
-      linesSaying(kLesson, {"the probe sinks in by 0.25 Å", "the bond lengths of benzene (C-C 1.397 Å"});
+      linesSaying(kFirstTouchLesson, {"the probe sinks in by 0.25 Å", "the bond lengths of benzene (C-C 1.397 Å"});
   CAPTURE(says);
   const ShippedScene s("pentacene");
   const auto height = [&](double x) { return pushed(s, Vec3(x, 0.003, 6), Vec3(x, 0.003, 2.4)).scp.A.z; };
@@ -115,15 +115,16 @@ TEST_CASE(
 
 TEST_CASE(
     "a push of 0.5 N is 5 thousand million times a force of 0.1 nN, and the probe is about as large as an oxygen") {
-  const std::string says = linesSaying(kLesson, {"Your probe has a radius of 1.4 Å, about that of the oxygen atom",
-                                                 "push of 0.5 N on the hand is 5 thousand million times as much"});
+  const std::string says =
+      linesSaying(kFirstTouchLesson, {"Your probe has a radius of 1.4 Å, about that of the oxygen atom",
+                                      "push of 0.5 N on the hand is 5 thousand million times as much"});
   CAPTURE(says);
   CHECK(kWater_A / ShippedScene("water").atom("element O").radius_A > 0.9);
   CHECK(0.5 / 0.1e-9 == doctest::Approx(5e9));
 }
 
 TEST_CASE("the argon triangle has two pits, one on either side, each where a water-sized probe rests 2.46 A above it") {
-  const std::string line = lineSaying(kLesson, "This triangle has two pits, one on either side");
+  const std::string line = lineSaying(kFirstTouchLesson, "This triangle has two pits, one on either side");
   CAPTURE(line);
   const ShippedScene s("argon-triangle");
   const double z = std::sqrt(std::pow(1.88 + kWater_A, 2) - std::pow(3.76, 2) / 3.0);
@@ -141,8 +142,8 @@ TEST_CASE(
     "pit; a straight press in the middle meets a face, a crease, a face and a pit, and a probe passes between any "
     "two") {
   const std::string says =
-      linesSaying(kLesson, {"The single atom has no crease, the pair has one, the row has two",
-                            "In the middle of the row you are on a face, with a crease above and"});
+      linesSaying(kFirstTouchLesson, {"The single atom has no crease, the pair has one, the row has two",
+                                      "In the middle of the row you are on a face, with a crease above and"});
   CAPTURE(says);
   const ShippedScene s("argon-shapes");
   const Feature met[] = {Feature::Sphere, Feature::Circle, Feature::Sphere, Feature::Point};
@@ -173,9 +174,9 @@ TEST_CASE(
 TEST_CASE(
     "who feels the four groups and guesses, or names them as they come, puts them in order once in 24 rounds; who jabs "
     "is not asked") {
-  const std::string line = lineSaying(kLesson, "An order of four is guessed once in 24 rounds");
+  const std::string line = lineSaying(kFirstTouchLesson, "An order of four is guessed once in 24 rounds");
   CAPTURE(line);
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kFirstTouchLesson);
   const TaskSpec& spec = taskOf(lesson, "eyes-closed", "order");
   const ShippedScene s("argon-shapes");
   constexpr unsigned kSeed = 20261123;
@@ -219,9 +220,9 @@ TEST_CASE(
 
 TEST_CASE(
     "the row that is not drawn falls from the upper left to the lower right, and a hand that goes level leaves it") {
-  const std::string line = lineSaying(kLesson, "[x] Falling, from upper left to lower right");
+  const std::string line = lineSaying(kFirstTouchLesson, "[x] Falling, from upper left to lower right");
   CAPTURE(line);
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kFirstTouchLesson);
   const Step& step = lesson.steps[*lesson.find("a-molecule-that-you-cannot-see")];
   const ShippedScene s("pentacene");
   REQUIRE(step.scene.view.turned_deg);
@@ -258,7 +259,7 @@ TEST_CASE(
 }
 
 TEST_CASE("of the helix's 21 oxygens sixteen hold on to a nitrogen of the next turn, and those at the end to none") {
-  const std::string line = lineSaying(kLesson, "Sixteen of these oxygens hold on to the next turn");
+  const std::string line = lineSaying(kFirstTouchLesson, "Sixteen of these oxygens hold on to the next turn");
   CAPTURE(line);
   const ShippedScene s("alpha-helix");
   int held = 0;
@@ -273,7 +274,7 @@ TEST_CASE("of the helix's 21 oxygens sixteen hold on to a nitrogen of the next t
 
 TEST_CASE("a turn of the helix has 3.6 amino acids; it has 20, more than five turns") {
   const std::string says = linesSaying(
-      kLesson, {"3.6 amino acids make one turn", "You have gone over 20 amino acids, more than five turns"});
+      kFirstTouchLesson, {"3.6 amino acids make one turn", "You have gone over 20 amino acids, more than five turns"});
   CAPTURE(says);
   const ShippedScene s("alpha-helix");
   double sum_deg = 0.0;

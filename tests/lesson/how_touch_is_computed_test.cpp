@@ -28,7 +28,7 @@ using moltact::test::linesSaying;
 
 namespace {
 
-constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.md";
+constexpr const char* kHowTouchIsComputedLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.md";
 constexpr const char* kGermanLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.de.md";
 
 std::string contentsOf(const char* file) {
@@ -78,7 +78,7 @@ TEST_CASE(
     "how-touch-is-computed.md reads without errors or warnings into 11 steps, each with a task and, but for the key, "
     "the methods panel, "
     "which is shut and locked in the dark") {
-  const LessonReading read = readLesson(kLesson);
+  const LessonReading read = readLesson(kHowTouchIsComputedLesson);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   for (const Problem& p : read.warnings) MESSAGE(p.text());
   REQUIRE(read.lesson);
@@ -102,7 +102,7 @@ TEST_CASE(
 }
 
 TEST_CASE("on the lesson's atom a slide 1 A deep meets a jerk with 80 triangles and none with the exact method") {
-  const LessonReading read = readLesson(kLesson);
+  const LessonReading read = readLesson(kHowTouchIsComputedLesson);
   REQUIRE(read.lesson);
   const Step& step = read.lesson->steps[0];
   const std::vector<Vec3> slide{{0.1, 0.2, 4}, {0.1, 0.2, 2.2}, {2.0, 0.4, 1.0}, {1.0, 1.8, 1.0}};
@@ -114,7 +114,7 @@ TEST_CASE("on the lesson's atom a slide 1 A deep meets a jerk with 80 triangles 
 TEST_CASE(
     "slid round the lesson's atom the force turns in one tick by 42 degrees with 80 triangles, 21 with 320, 5 with "
     "5120 and under 1 with the exact method") {
-  const LessonReading read = readLesson(kLesson);
+  const LessonReading read = readLesson(kHowTouchIsComputedLesson);
   REQUIRE(read.lesson);
   const Step& step = stepOf(*read.lesson, "what-a-hand-can-tell");
   const auto molecule = shipped(step.scene.molecule);
@@ -223,7 +223,7 @@ TEST_CASE(
 TEST_CASE(
     "pushed 3 A through the pit with the lesson's probe, paper loses the surface and penalty throws the hand out; "
     "exact does neither") {
-  const LessonReading read = readLesson(kLesson);
+  const LessonReading read = readLesson(kHowTouchIsComputedLesson);
   REQUIRE(read.lesson);
   const Step& lost = stepOf(*read.lesson, "the-papers-method-loses-the-surface");
   const Step& thrown = stepOf(*read.lesson, "penalty-throws-you-out-of-the-far-side");
@@ -243,7 +243,7 @@ TEST_CASE(
 }
 
 TEST_CASE("in the lesson's crease the grid of 0.8 A is off by 0.03 A, the one of 0.2 A and the exact method are not") {
-  const LessonReading read = readLesson(kLesson);
+  const LessonReading read = readLesson(kHowTouchIsComputedLesson);
   REQUIRE(read.lesson);
   const Step& step = stepOf(*read.lesson, "a-grid-rounds-the-crease");
   SAYS(lineSaying("how-touch-is-computed", "until the contact point lies 0.03 Å or more off the true one"));
@@ -260,7 +260,7 @@ TEST_CASE("the lesson calls the methods and the plot of turns what the panel cal
   int named = 0;
   for (const bool in_german : {false, true}) {
     CAPTURE(in_german);
-    const char* file = in_german ? kGermanLesson : kLesson;
+    const char* file = in_german ? kGermanLesson : kHowTouchIsComputedLesson;
     const LessonReading read = readLesson(file);
     REQUIRE(read.lesson);
     std::optional<InGerman> german;

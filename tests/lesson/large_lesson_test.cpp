@@ -17,7 +17,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead =
+const std::string kLargeLessonHead =
     "---\ntitle: Large\nlevel: beginner\nminutes: 1\ngoals:\n  - all of it\nmolecules: one\nauthor: A "
     "teacher\nlicence: CC0-1.0\n---\n\n## One\n\n```scene\nmolecule: one\n```\n\n";
 
@@ -58,8 +58,9 @@ std::size_t reported(const LessonCheck& check) { return std::max(check.errors.si
 TEST_CASE("for a lesson of 90 000 dead links, to steps or to files, 500 are reported and that there are more") {
   for (const char* to : {"#", "", "other.md#"}) {
     CAPTURE(to);
-    const Result r = checked(filled(
-        kHead, [&](std::size_t n) { return std::string("[a](") + to + number(n) + ")" + (n % 100 ? "" : "\n\n"); }));
+    const Result r = checked(filled(kLargeLessonHead, [&](std::size_t n) {
+      return std::string("[a](") + to + number(n) + ")" + (n % 100 ? "" : "\n\n");
+    }));
     REQUIRE(r.check.errors.size() == kMaxLessonProblems + 1);
     CHECK(r.check.errors.back().message == "there are more, which are not listed");
     CHECK(r.check.errors.back().line == r.check.errors[kMaxLessonProblems - 1].line);
@@ -68,17 +69,17 @@ TEST_CASE("for a lesson of 90 000 dead links, to steps or to files, 500 are repo
 
 TEST_CASE("a lesson of 1000 steps is read; one of 100 000 is refused at the 1001st step") {
   const auto steps = [](std::size_t count) {
-    std::string text = kHead + "It is here.\n\n";
+    std::string text = kLargeLessonHead + "It is here.\n\n";
     for (std::size_t n = 1; n < count; ++n) text += "## s" + number(n) + "\n\nA\n";
     return text;
   };
   const LessonReading thousand = readLessonText("l.md", steps(1000));
   CHECK(thousand.lesson);
   const LessonReading many =
-      readLessonText("l.md", filled(kHead, [](std::size_t n) { return "## s" + number(n) + "\n"; }));
+      readLessonText("l.md", filled(kLargeLessonHead, [](std::size_t n) { return "## s" + number(n) + "\n"; }));
   REQUIRE(many.errors.size() == 1);
   CHECK(many.errors[0].message == "a lesson of more than 1000 steps");
-  CHECK(many.errors[0].line == std::size_t(std::count(kHead.begin(), kHead.end(), '\n')) + 1000);
+  CHECK(many.errors[0].line == std::size_t(std::count(kLargeLessonHead.begin(), kLargeLessonHead.end(), '\n')) + 1000);
   CHECK(many.partial->steps.size() == 1000);
 }
 
@@ -95,7 +96,7 @@ TEST_CASE(
                                "```%\n```\n"};
   for (const std::string& part : parts) {
     CAPTURE(part);
-    const std::string start = part.starts_with('-') ? kHead + "### Question: a?\n\n" : kHead;
+    const std::string start = part.starts_with('-') ? kLargeLessonHead + "### Question: a?\n\n" : kLargeLessonHead;
     const Result r = checked(filled(start, [&](std::size_t n) {
       std::string text = part;
       for (std::size_t at; (at = text.find('%')) != std::string::npos;) text.replace(at, 1, number(n));
@@ -107,7 +108,8 @@ TEST_CASE(
   }
   std::string molecules = "---\ntitle: Large\nlevel: beginner\nminutes: 1\ngoals:\n  - all of it\nmolecules:\n";
   for (std::size_t n = 0; molecules.size() < 900'000; ++n) molecules += "  - m" + number(n) + "\n";
-  CHECK(reported(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMaxLessonProblems + 1);
+  CHECK(reported(checked(molecules + kLargeLessonHead.substr(kLargeLessonHead.find("---\n\n"))).check) <=
+        kMaxLessonProblems + 1);
 }
 
 TEST_CASE("a missing file beside 2000 files with long names, linked 20 000 times, gives 500 suggestions") {
@@ -115,9 +117,10 @@ TEST_CASE("a missing file beside 2000 files with long names, linked 20 000 times
   std::filesystem::create_directories(folder);
   const std::string stem(52, 'a');
   for (std::size_t n = 0; n < 2000; ++n) std::ofstream(folder / (stem + number(n + 0x10000)));
-  const Result r = checked(
-      filled(kHead, [&](std::size_t n) { return "[a](" + stem + number(n + 0x20000) + ")" + (n % 50 ? "" : "\n\n"); }),
-      (folder / "l.md").string());
+  const Result r =
+      checked(filled(kLargeLessonHead,
+                     [&](std::size_t n) { return "[a](" + stem + number(n + 0x20000) + ")" + (n % 50 ? "" : "\n\n"); }),
+              (folder / "l.md").string());
   CHECK(r.check.errors.size() == kMaxLessonProblems + 1);
   CAPTURE(r.check.errors[400].text());
   CHECK(r.check.errors[400].remedy.starts_with("did you mean '" + stem));

@@ -10,7 +10,7 @@ using namespace moltact::test;
 
 namespace {
 
-constexpr const char* kLesson = "left-or-right";
+constexpr const char* kLeftOrRightLesson = "left-or-right";
 
 /// Positive where CO, R, N go round with the clock for one who looks from the hydrogen: the L form.
 double handedness(const Vec3& ca, const Vec3& n, const Vec3& c, const Vec3& cb) {
@@ -36,7 +36,7 @@ double reach_A(const ShippedScene& s, const std::string& atoms) {
 TEST_CASE(
     "left-or-right.md has 6 steps and 3 extra ones, five rounds to trace, one of them unseen, two lengths to measure, "
     "and eight trials in the dark, before and after, of which seven must be right, 9 of 256 for a guesser") {
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kLeftOrRightLesson);
   checkCare(lesson);
   CHECK(lesson.steps.size() == 9);
   CHECK(tasksOf(lesson, "trace") == 5);
@@ -46,7 +46,7 @@ TEST_CASE(
   const ShippedScene phe("phenylalanine-pair");
   for (const Step& s : lesson.steps) unseen += s.scene.hide.given() && s.scene.hide.select(*phe.molecule).size() == 46;
   CHECK(unseen == 1);
-  const std::string chance = lineSaying(kLesson, "in 9 of 256 rounds, 3.5 %");
+  const std::string chance = lineSaying(kLeftOrRightLesson, "in 9 of 256 rounds, 3.5 %");
   CAPTURE(chance);
   const TaskSpec& same = taskOf(lesson, "two-powders-in-the-dark", "same");
   CHECK(same.values["trials"].number == 8);
@@ -69,7 +69,7 @@ TEST_CASE("chain B of both pairs is the mirror image of chain A, to 0.001 A") {
 }
 
 TEST_CASE("from the middle carbon of alanine CH3 reaches 3.35 A, NH3+ 3.28 A and COO- 3.89 A") {
-  const std::string line = lineSaying(kLesson, "reaches out 3.35 Å, NH₃⁺ 3.28 Å and COO⁻ 3.89 Å");
+  const std::string line = lineSaying(kLeftOrRightLesson, "reaches out 3.35 Å, NH₃⁺ 3.28 Å and COO⁻ 3.89 Å");
   CAPTURE(line);
   const ShippedScene s("alanine-pair");
   CHECK(reach_A(s, "chain A and name HB1 HB2 HB3") == doctest::Approx(3.35).epsilon(0.002));
@@ -80,7 +80,7 @@ TEST_CASE("from the middle carbon of alanine CH3 reaches 3.35 A, NH3+ 3.28 A and
 TEST_CASE(
     "turned to the front each form has its hydrogen toward the viewer, COO- above, and the ring at the right in L, at "
     "the left in D") {
-  const std::string line = lineSaying(kLesson, "at the right it is L, and at the left it is D");
+  const std::string line = lineSaying(kLeftOrRightLesson, "at the right it is L, and at the left it is D");
   CAPTURE(line);
   const ShippedScene s("phenylalanine-pair");
   for (const double side : {1.0, -1.0}) {
@@ -97,9 +97,9 @@ TEST_CASE(
 
 TEST_CASE(
     "from the tip of phenylalanine's ring to NH3+ it is up to 10.6 A in either form, and 8 A or more to be right") {
-  const std::string line = lineSaying(kLesson, "it is up to 10.6 Å in either form");
+  const std::string line = lineSaying(kLeftOrRightLesson, "it is up to 10.6 Å in either form");
   CAPTURE(line);
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kLeftOrRightLesson);
   const ShippedScene s("phenylalanine-pair");
   for (const char* chain : {"chain A", "chain B"}) {
     double most_A = 0, least_A = 1e9;
@@ -120,7 +120,7 @@ TEST_CASE(
 }
 
 TEST_CASE("of ubiquitin's 76 amino acids 70 are L") {
-  const std::string says = lineSaying(kLesson, "with 70 of the 76 amino acids of this protein");
+  const std::string says = lineSaying(kLeftOrRightLesson, "with 70 of the 76 amino acids of this protein");
   CAPTURE(says);
   const ShippedScene s("1ubq");
   int l = 0;
@@ -159,7 +159,7 @@ TEST_CASE(
 TEST_CASE(
     "the rounds are passed by a hand that slides the right way round, by none that jabs the same atoms, goes the other "
     "way or leaves the side chain out") {
-  const Lesson lesson = shippedLesson(kLesson);
+  const Lesson lesson = shippedLesson(kLeftOrRightLesson);
   struct Round {
     const char *step, *molecule, *chain;
     std::vector<const char*> way;                  // that passes

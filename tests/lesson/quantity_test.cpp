@@ -10,7 +10,7 @@ double value(std::string_view text, Dimension d) {
   REQUIRE_MESSAGE(v, text);
   return *v;
 }
-std::string reported(std::string_view text, Dimension d) {
+std::string quantityReported(std::string_view text, Dimension d) {
   const auto v = parseQuantity(text, d);
   REQUIRE_MESSAGE(!v, text);
   return std::to_string(v.problem().column) + " " + v.problem().text();
@@ -28,22 +28,22 @@ TEST_CASE("4 Å, 0.4 nm and 400 pm are 4 A; 2 min is 120 s; 300 mN is 0.3 N; 500
 }
 
 TEST_CASE("a bare number is reported with the units that would do") {
-  CHECK(reported("4", Dimension::Length) == "1 '4' needs a unit: Å or nm");
-  CHECK(reported("0.3", Dimension::Force) == "1 '0.3' needs a unit: N or mN");
-  CHECK(reported("90", Dimension::Time) == "1 '90' needs a unit: s or min");
-  CHECK(reported("500", Dimension::Stiffness) == "1 '500' needs a unit: N/m or N/mm");
+  CHECK(quantityReported("4", Dimension::Length) == "1 '4' needs a unit: Å or nm");
+  CHECK(quantityReported("0.3", Dimension::Force) == "1 '0.3' needs a unit: N or mN");
+  CHECK(quantityReported("90", Dimension::Time) == "1 '90' needs a unit: s or min");
+  CHECK(quantityReported("500", Dimension::Stiffness) == "1 '500' needs a unit: N/m or N/mm");
 }
 
 TEST_CASE("a wrong, unknown or malformed quantity is reported at its place") {
-  CHECK(reported("4 s", Dimension::Length) == "1 '4 s' is a time, but a length is needed: Å or nm");
-  CHECK(reported("4 parsec", Dimension::Length) == "3 'parsec' is no unit of length; write Å or nm");
-  CHECK(reported("0,3 N", Dimension::Force) == "2 a comma in a number; write the decimal sign as a point: 0.3");
-  CHECK(reported("four Å", Dimension::Length) == "1 'four Å' is not a number");
-  CHECK(reported("", Dimension::Length) == "1 a number is missing");
-  CHECK(reported("nan Å", Dimension::Length) == "1 'nan Å' is not a number");
-  CHECK(reported("inf Å", Dimension::Length) == "1 'inf Å' is not a number");
-  CHECK(reported("1e999 Å", Dimension::Length) == "1 '1e999' is too large or too small a number");
-  CHECK(reported("1e308 nm", Dimension::Length) == "1 '1e308 nm' is too large");
+  CHECK(quantityReported("4 s", Dimension::Length) == "1 '4 s' is a time, but a length is needed: Å or nm");
+  CHECK(quantityReported("4 parsec", Dimension::Length) == "3 'parsec' is no unit of length; write Å or nm");
+  CHECK(quantityReported("0,3 N", Dimension::Force) == "2 a comma in a number; write the decimal sign as a point: 0.3");
+  CHECK(quantityReported("four Å", Dimension::Length) == "1 'four Å' is not a number");
+  CHECK(quantityReported("", Dimension::Length) == "1 a number is missing");
+  CHECK(quantityReported("nan Å", Dimension::Length) == "1 'nan Å' is not a number");
+  CHECK(quantityReported("inf Å", Dimension::Length) == "1 'inf Å' is not a number");
+  CHECK(quantityReported("1e999 Å", Dimension::Length) == "1 '1e999' is too large or too small a number");
+  CHECK(quantityReported("1e308 nm", Dimension::Length) == "1 '1e308 nm' is too large");
 }
 
 TEST_CASE("0.2 N to 0.6 N and 0.2 to 600 mN are ranges; one that ends below its start is not") {

@@ -15,20 +15,22 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
-const std::string kScene = "## A\n```scene\nmolecule: mix\n```\n";
+const std::string kQuestionHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kQuestionScene = "## A\n```scene\nmolecule: mix\n```\n";
 const std::string kTouch = "```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n";
 const std::string kPrediction =
     "### Prediction: P?\n- [ ] up → It went down.\n- [x] down → So it is.\n- [ ] aside → No.\n";
 
-std::shared_ptr<const Lesson> lesson(const std::string& body) {
-  LessonReading read = readLessonText("l.md", kHead + body);
+std::shared_ptr<const Lesson> questionLesson(const std::string& body) {
+  LessonReading read = readLessonText("l.md", kQuestionHead + body);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   REQUIRE(read.lesson);
   return std::make_shared<const Lesson>(*std::move(read.lesson));
 }
 
-std::vector<Problem> errorsOf(const std::string& body) { return readLessonText("l.md", kHead + body).errors; }
+std::vector<Problem> questionErrorsOf(const std::string& body) {
+  return readLessonText("l.md", kQuestionHead + body).errors;
+}
 
 void touchAtom0(LessonSession& session) {
   for (int i = 0; i <= 150; ++i) {
@@ -43,7 +45,7 @@ void touchAtom0(LessonSession& session) {
 }  // namespace
 
 TEST_CASE("a prediction can be changed, and gets no feedback, until the step's task is done; then it stays") {
-  LessonSession session(lesson(kScene + kPrediction + kTouch));
+  LessonSession session(questionLesson(kQuestionScene + kPrediction + kTouch));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   CHECK(session.step().questions[0].prediction);
   CHECK(session.takesAnswer(0));
@@ -66,7 +68,7 @@ TEST_CASE("a prediction can be changed, and gets no feedback, until the step's t
 }
 
 TEST_CASE("a prediction made after the touch is resolved at once; a step is not done without its prediction") {
-  LessonSession session(lesson(kScene + kPrediction + kTouch));
+  LessonSession session(questionLesson(kQuestionScene + kPrediction + kTouch));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   touchAtom0(session);
   CHECK_FALSE(session.stepDone());
@@ -77,14 +79,14 @@ TEST_CASE("a prediction made after the touch is resolved at once; a step is not 
 }
 
 TEST_CASE("a prediction without a task is warned of, one that is a free answer is an error") {
-  const LessonCheck found = checkLesson("l.md", kHead + kScene + kPrediction,
+  const LessonCheck found = checkLesson("l.md", kQuestionHead + kQuestionScene + kPrediction,
                                         [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
                                           return std::make_shared<const Molecule>(mixedMolecule());
                                         });
   CHECK(std::any_of(found.warnings.begin(), found.warnings.end(), [](const Problem& p) {
     return p.message.find("prediction") != std::string::npos && p.line == 13;
   }));
-  const auto errors = errorsOf(kScene + "### Prediction: P?\n```answer\nfree: yes\n```\n" + kTouch);
+  const auto errors = questionErrorsOf(kQuestionScene + "### Prediction: P?\n```answer\nfree: yes\n```\n" + kTouch);
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].line == 13);
 }
@@ -92,7 +94,8 @@ TEST_CASE("a prediction without a task is warned of, one that is a free answer i
 TEST_CASE(
     "an answer that is not a number is asked again and is not an attempt: words, another quantity, nothing; a comma is "
     "one") {
-  LessonSession session(lesson(kScene + "### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n"));
+  LessonSession session(
+      questionLesson(kQuestionScene + "### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n"));
   for (const char* none : {"about 1.4", "1.4 N", "so wide"}) {
     CHECK_FALSE(session.write(0, none));
     CHECK(session.question(0).attempts == 0);
@@ -107,13 +110,14 @@ TEST_CASE(
 }
 
 TEST_CASE("a free answer is kept and never called right; the author's own stands beside it afterwards") {
-  LessonSession session(lesson(kScene + "### Question: Why?\n```answer\nfree: yes\nmodel: Because it fits.\n```\n"));
+  LessonSession session(
+      questionLesson(kQuestionScene + "### Question: Why?\n```answer\nfree: yes\nmodel: Because it fits.\n```\n"));
   CHECK(session.feedback(0).empty());
   session.write(0, "It does not.");
   REQUIRE(session.feedback(0).size() == 1);
   CHECK(plainText(session.feedback(0)[0]) == "Because it fits.");
   CHECK(session.stepDone());
-  const auto errors = errorsOf(kScene + "### Question: N?\n```answer\nnumber: 1\nmodel: One.\n```\n");
+  const auto errors = questionErrorsOf(kQuestionScene + "### Question: N?\n```answer\nnumber: 1\nmodel: One.\n```\n");
   REQUIRE(errors.size() == 1);
   CHECK(errors[0].line == 16);
 }
@@ -123,8 +127,8 @@ TEST_CASE(
     "4000") {
   const std::string four = "- [ ] a → A\n- [x] b → B\n- [ ] c → C\n- [ ] d → D\n",
                     numbered = "1. [ ] a → A\n2. [x] b → B\n3. [ ] c → C\n";
-  LessonSession session(
-      lesson(kScene + "### Question: Q?\n" + four + "### Question: R?\n" + four + "### Question: O?\n" + numbered));
+  LessonSession session(questionLesson(kQuestionScene + "### Question: Q?\n" + four + "### Question: R?\n" + four +
+                                       "### Question: O?\n" + numbered));
   const std::vector<std::size_t> written{0, 1, 2, 3};
   CHECK(session.choiceOrder(0) == written);
   std::array<int, 4> first{};
@@ -148,9 +152,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a question all of whose choices are right, and a number with decimals without tolerance, are warned of") {
-  const auto warnings = readLessonText("l.md", kHead + kScene + "### Question: Q?\n- [x] a → A\n- [x] b → B\n" +
-                                                   "### Question: N?\n```answer\nnumber: 1.4 Å\n```\n")
-                            .warnings;
+  const auto warnings =
+      readLessonText("l.md", kQuestionHead + kQuestionScene + "### Question: Q?\n- [x] a → A\n- [x] b → B\n" +
+                                 "### Question: N?\n```answer\nnumber: 1.4 Å\n```\n")
+          .warnings;
   REQUIRE(warnings.size() == 2);
   CHECK(warnings[0].line == 13);
   CHECK(warnings[1].line == 18);

@@ -23,7 +23,7 @@ std::string contents(const std::string& file) {
   return text.str();
 }
 
-LessonCheck checked(const std::string& text) {
+LessonCheck referenceChecked(const std::string& text) {
   LessonMolecules molecules;
   return checkLesson("lesson.md", text, [&](const NamedMolecule& name) { return molecules.find("lesson.md", name); });
 }
@@ -81,7 +81,7 @@ TEST_CASE("docs/writing-tasks.md says of every kind of task how a looker, a gues
 }
 
 TEST_CASE("the lesson that docs/write-a-lesson.md builds up has 2 steps, 2 tasks and 1 question, and no fault") {
-  const LessonCheck check = checked(fences(contents("docs/write-a-lesson.md"), "## 2.", "## 6."));
+  const LessonCheck check = referenceChecked(fences(contents("docs/write-a-lesson.md"), "## 2.", "## 6."));
   for (const auto* list : {&check.errors, &check.warnings})
     for (const Problem& p : *list) FAIL_CHECK(p.text());
   REQUIRE(check.lesson);
@@ -91,7 +91,7 @@ TEST_CASE("the lesson that docs/write-a-lesson.md builds up has 2 steps, 2 tasks
 }
 
 TEST_CASE("a new lesson has no fault, and its name makes its title and file") {
-  const LessonCheck check = checked(newLessonText("Haem pockets"));
+  const LessonCheck check = referenceChecked(newLessonText("Haem pockets"));
   for (const auto* list : {&check.errors, &check.warnings})
     for (const Problem& p : *list) FAIL_CHECK(p.text());
   REQUIRE(check.lesson);

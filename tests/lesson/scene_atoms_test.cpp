@@ -12,16 +12,16 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kSceneAtomsHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 
 using Atoms = std::vector<std::uint32_t>;
 
-std::vector<std::string> errors(const std::string& body) {
+std::vector<std::string> sceneAtomsErrors(const std::string& body) {
   const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
     return std::make_shared<const Molecule>(mixedMolecule());
   };
   std::vector<std::string> out;
-  for (const Problem& p : checkLesson("l.md", kHead + body, mix).errors) out.push_back(p.text());
+  for (const Problem& p : checkLesson("l.md", kSceneAtomsHead + body, mix).errors) out.push_back(p.text());
   return out;
 }
 
@@ -30,7 +30,7 @@ std::vector<std::string> errors(const std::string& body) {
 TEST_CASE(
     "'hide' is for the eye, 'untouchable' for the hand, 'remove' for both, each until 'none' or another molecule") {
   const LessonReading reading = readLessonText(
-      "l.md", kHead +
+      "l.md", kSceneAtomsHead +
                   "## A\n```scene\nmolecule: mix\nhide: name CA\nuntouchable: ligand\nremove: element Zn\n```\n"
                   "## B\n```scene\nprobe: 1 Å\n```\n## C\n```scene\nuntouchable: none\nremove: none\n```\n"
                   "## D\n```scene\nmolecule: mix\n```\n");
@@ -50,24 +50,24 @@ TEST_CASE(
     "a task on atoms of which none can be touched is reported at its place; one on atoms of which "
     "some can is not") {
   const std::string scene = "## S\n```scene\nmolecule: mix\nuntouchable: ligand\n```\n";
-  CHECK(errors(scene + "```touch\nreach: name FE\nsay: Touch it.\n```\n") ==
+  CHECK(sceneAtomsErrors(scene + "```touch\nreach: name FE\nsay: Touch it.\n```\n") ==
         std::vector<std::string>{
             "l.md:15:8: nothing of this can be touched: the scene takes it from the hand; name other "
             "atoms, or change the scene's 'untouchable' or 'remove'"});
-  CHECK(errors(scene + "```touch\nreach: name FE or name CA\nsay: Touch it.\n```\n").empty());
-  CHECK(errors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
+  CHECK(sceneAtomsErrors(scene + "```touch\nreach: name FE or name CA\nsay: Touch it.\n```\n").empty());
+  CHECK(sceneAtomsErrors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
 }
 
 TEST_CASE("'charges: file' on a molecule whose file has no charges is an error at its place; 'formal' is not") {
   const auto scene = [](const std::string& source) {
     return "## S\n```scene\nmolecule: mix\ncharges: " + source + "\n```\nText.\n";
   };
-  CHECK(errors(scene("file")) ==
+  CHECK(sceneAtomsErrors(scene("file")) ==
         std::vector<std::string>{"l.md:12:10: the file of 'mix' has no partial charges; write 'charges: formal', or "
                                  "give the molecule as a file with charges (.mol2 .pqr .pdbqt)"});
-  CHECK(errors(scene("formal")).empty());
-  CHECK(errors(scene("none")).empty());
-  CHECK(errors(scene("guess")).size() == 1);
+  CHECK(sceneAtomsErrors(scene("formal")).empty());
+  CHECK(sceneAtomsErrors(scene("none")).empty());
+  CHECK(sceneAtomsErrors(scene("guess")).size() == 1);
 }
 
 TEST_CASE("formal charges beside forces between atoms are warned of once, at their place; without them they are not") {
@@ -77,7 +77,7 @@ TEST_CASE("formal charges beside forces between atoms are warned of once, at the
     };
     std::vector<std::string> out;
     for (const Problem& p :
-         checkLesson("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n", mix).warnings)
+         checkLesson("l.md", kSceneAtomsHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n", mix).warnings)
       if (p.message.find("formal charges") != std::string::npos) out.push_back(p.text());
     return out;
   };
@@ -96,7 +96,7 @@ TEST_CASE("a view that faces 9 of 10 atoms that are left, or all, is warned of a
     };
     std::vector<std::string> out;
     for (const Problem& p :
-         checkLesson("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n", mix).warnings)
+         checkLesson("l.md", kSceneAtomsHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n", mix).warnings)
       out.push_back(p.text());
     return out;
   };

@@ -13,7 +13,8 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, shut\nauthor: A\nlicence: L\n---\n";
+const std::string kSceneViewsHead =
+    "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, shut\nauthor: A\nlicence: L\n---\n";
 
 // A bend of five residues; shut, the last has moved by 4 A.
 Molecule bend(double last_y) {
@@ -37,15 +38,15 @@ Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) 
   return Problem{{}, 0, 0, "there is no molecule '" + named.name + "'", {}};
 }
 
-std::vector<std::string> errors(const std::string& body) {
+std::vector<std::string> sceneViewsErrors(const std::string& body) {
   std::vector<std::string> out;
-  for (const Problem& p : checkLesson("l.md", kHead + body, molecules).errors)
+  for (const Problem& p : checkLesson("l.md", kSceneViewsHead + body, molecules).errors)
     if (p.message.find("no scene uses") == std::string::npos) out.push_back(p.text());
   return out;
 }
 
 SceneSpec sceneOf(const std::string& keys) {
-  LessonReading reading = readLessonText("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\n");
+  LessonReading reading = readLessonText("l.md", kSceneViewsHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\n");
   for (const Problem& p : reading.errors) INFO(p.text());
   REQUIRE(reading.lesson);
   return reading.lesson->steps[0].scene;
@@ -76,7 +77,7 @@ TEST_CASE(
     "views keep their names and order; one of a later scene takes the place of its namesake, a molecule begins again") {
   const LessonReading reading = readLessonText(
       "l.md",
-      kHead +
+      kSceneViewsHead +
           "## A\n```scene\nmolecule: mix\nview the Cleft: top\nview back: back\n```\n"
           "## B\n```scene\nview the cleft: bottom\nview third: left\n```\n## C\n```scene\nmolecule: shut\n```\n");
   REQUIRE(reading.lesson);
@@ -91,7 +92,7 @@ TEST_CASE(
 
 TEST_CASE("mistakes in views are reported at their places") {
   const auto scene = [](const std::string& keys) {
-    return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
+    return sceneViewsErrors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };
   CHECK(scene("view: tpo\n") == Texts{"l.md:12:7: 'view' cannot be 'tpo'; did you mean 'top'?"});
   CHECK(
@@ -110,15 +111,15 @@ TEST_CASE("mistakes in views are reported at their places") {
 TEST_CASE("links to views, atoms and states are checked against the scene of their step") {
   const std::string scene =
       "## S\n```scene\nmolecule: mix\nview the cleft: top\nthen: shut\nstates: open, all shut\n```\n";
-  CHECK(errors(scene + "[a](#view:the-cleft) [b](<#zoom:residue 1 2>) [c](#state:all-shut) [d](#state:40%) "
-                       "[e](<#state:open>)\n")
+  CHECK(sceneViewsErrors(scene + "[a](#view:the-cleft) [b](<#zoom:residue 1 2>) [c](#state:all-shut) [d](#state:40%) "
+                                 "[e](<#state:open>)\n")
             .empty());
-  CHECK(errors(scene + "[a](#view:the-clift)\n") ==
+  CHECK(sceneViewsErrors(scene + "[a](#view:the-clift)\n") ==
         Texts{"l.md:16:5: the scene has no view 'the-clift'; did you mean 'the-cleft'?"});
-  CHECK(errors(scene + "[a](<#zoom:residue 77>)\n").size() == 1);
-  CHECK(errors(scene + "[a](<#zoom:residoo 1>)\n").size() == 1);
-  CHECK(errors(scene + "[a](#state:ajar)\n").size() == 1);
-  CHECK(errors("## S\n```scene\nmolecule: mix\n```\n[a](#state:50%)\n").size() == 1);
+  CHECK(sceneViewsErrors(scene + "[a](<#zoom:residue 77>)\n").size() == 1);
+  CHECK(sceneViewsErrors(scene + "[a](<#zoom:residoo 1>)\n").size() == 1);
+  CHECK(sceneViewsErrors(scene + "[a](#state:ajar)\n").size() == 1);
+  CHECK(sceneViewsErrors("## S\n```scene\nmolecule: mix\n```\n[a](#state:50%)\n").size() == 1);
 }
 
 TEST_CASE("'cut' is 'none', the middle or atoms, and continues until a scene says otherwise") {
@@ -126,7 +127,7 @@ TEST_CASE("'cut' is 'none', the middle or atoms, and continues until a scene say
   CHECK((sceneOf("cut: middle\n").cut && !sceneOf("cut: middle\n").cut_at.given()));
   CHECK(sceneOf("cut: residue 3\n").cut_at.text() == "residue 3");
   const LessonReading reading = readLessonText(
-      "l.md", kHead + "## A\n```scene\nmolecule: mix\ncut: residue 3\n```\n## B\n```scene\ncut: none\n```\n");
+      "l.md", kSceneViewsHead + "## A\n```scene\nmolecule: mix\ncut: residue 3\n```\n## B\n```scene\ncut: none\n```\n");
   REQUIRE(reading.lesson);
   CHECK((!reading.lesson->steps[1].scene.cut && !reading.lesson->steps[1].scene.cut_at.given()));
 }
@@ -153,7 +154,7 @@ TEST_CASE("a second structure has names for both states and a place to begin; it
 
 TEST_CASE("mistakes in the second structure are reported") {
   const auto scene = [](const std::string& keys) {
-    return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
+    return sceneViewsErrors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };
   CHECK(scene("then: shut\n").empty());
   const Texts misspelt = scene("then: sht\n");
@@ -181,7 +182,7 @@ TEST_CASE("a scene has a second molecule beside its own, with captions; the list
   CHECK(sceneOf("beside: none\n").molecule.reading == ReadOptions());
   // One that a later scene takes away again.
   const LessonReading reading =
-      readLessonText("l.md", kHead +
+      readLessonText("l.md", kSceneViewsHead +
                                  "## A\n```scene\nmolecule: mix\nbeside: shut\n```\n## B\n```scene\nbeside: "
                                  "none\n```\n## C\n```scene\nmolecule: mix\n```\n");
   REQUIRE(reading.lesson);
@@ -192,7 +193,7 @@ TEST_CASE("a scene has a second molecule beside its own, with captions; the list
 
 TEST_CASE("mistakes with two molecules are reported at their lines") {
   const auto scene = [](const std::string& keys) {
-    return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
+    return sceneViewsErrors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };
   CHECK(scene("beside: shut\n").empty());
   CHECK(scene("beside: shot\n") ==

@@ -17,7 +17,7 @@ Atoms atoms(std::string_view text) {
   REQUIRE_MESSAGE(s, std::string(text), ": ", s ? "" : s.problem().message);
   return s->select(mixedMolecule());
 }
-std::string reported(std::string_view text) {
+std::string selectionReported(std::string_view text) {
   const auto s = parseSelection(text);
   REQUIRE_MESSAGE(!s, text);
   return std::to_string(s.problem().column) + " " + s.problem().text();
@@ -83,21 +83,22 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
 }
 
 TEST_CASE("a faulty selection is reported with its column and what would mend it") {
-  CHECK(reported("") == "1 a selection is missing; for example: resname HEM");
-  CHECK(reported("resnam HEM") == "1 'resnam' is no word of a selection; did you mean 'resname'?");
-  CHECK(reported("chain A and") == "12 the selection ends too early; for example: resname HEM");
-  CHECK(reported("chain A name") == "9 'name' does not belong here; join two selections with 'and' or 'or'");
-  CHECK(reported("chain") == "6 'chain' needs something after it; for example: chain A");
-  CHECK(reported("(chain A") == "1 an opening bracket without its closing one; add ')'");
-  CHECK(reported("chain A)") == "8 a closing bracket without its opening one; take it out");
-  CHECK(reported("element Xx") == "9 'Xx' is no chemical element; write its symbol: C, N, O, Fe");
-  CHECK(reported("residue CA") == "9 'CA' is no residue number; write 52, 10-20 or 52A");
-  CHECK(reported("residue 20-10") == "9 '20-10' is no residue number; write 52, 10-20 or 52A");
-  CHECK(reported("atom -1") == "6 '-1' is no atom number; atoms are counted from 0: write 3 or 0-5");
-  CHECK(reported("within 5 of ligand") == "8 '5' needs a unit: Å or nm");
-  CHECK(reported("within 5 Å ligand") == "18 'within' needs a distance and 'of'; write: within 5 Å of (resname HEM)");
-  CHECK(reported("name \"CA") == "6 a quotation mark without its partner; close the name with \"");
-  CHECK(reported(std::string(500, '(')) == "65 the selection is nested too deeply; use fewer brackets");
+  CHECK(selectionReported("") == "1 a selection is missing; for example: resname HEM");
+  CHECK(selectionReported("resnam HEM") == "1 'resnam' is no word of a selection; did you mean 'resname'?");
+  CHECK(selectionReported("chain A and") == "12 the selection ends too early; for example: resname HEM");
+  CHECK(selectionReported("chain A name") == "9 'name' does not belong here; join two selections with 'and' or 'or'");
+  CHECK(selectionReported("chain") == "6 'chain' needs something after it; for example: chain A");
+  CHECK(selectionReported("(chain A") == "1 an opening bracket without its closing one; add ')'");
+  CHECK(selectionReported("chain A)") == "8 a closing bracket without its opening one; take it out");
+  CHECK(selectionReported("element Xx") == "9 'Xx' is no chemical element; write its symbol: C, N, O, Fe");
+  CHECK(selectionReported("residue CA") == "9 'CA' is no residue number; write 52, 10-20 or 52A");
+  CHECK(selectionReported("residue 20-10") == "9 '20-10' is no residue number; write 52, 10-20 or 52A");
+  CHECK(selectionReported("atom -1") == "6 '-1' is no atom number; atoms are counted from 0: write 3 or 0-5");
+  CHECK(selectionReported("within 5 of ligand") == "8 '5' needs a unit: Å or nm");
+  CHECK(selectionReported("within 5 Å ligand") ==
+        "18 'within' needs a distance and 'of'; write: within 5 Å of (resname HEM)");
+  CHECK(selectionReported("name \"CA") == "6 a quotation mark without its partner; close the name with \"");
+  CHECK(selectionReported(std::string(500, '(')) == "65 the selection is nested too deeply; use fewer brackets");
 }
 
 TEST_CASE("each word that needs something after it says so with an example that is itself a sound selection") {

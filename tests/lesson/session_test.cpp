@@ -9,8 +9,9 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
-const std::string kBody =
+const std::string kSessionHead =
+    "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
+const std::string kSessionBody =
     "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom "
     "1\nsay: Then this.\n```\n"
     "### Question: Q?\n- [x] yes → Good\n- [x] also → Fine\n- [ ] no → Bad\n"
@@ -18,14 +19,14 @@ const std::string kBody =
     "W?\n```answer\ntext: crease, groove\n```\n"
     "## C\n```scene\nmolecule: water\n```\n";
 
-std::shared_ptr<const Lesson> lesson(const std::string& body) {
-  LessonReading read = readLessonText("l.md", kHead + body);
+std::shared_ptr<const Lesson> sessionLesson(const std::string& body) {
+  LessonReading read = readLessonText("l.md", kSessionHead + body);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   REQUIRE(read.lesson);
   return std::make_shared<const Lesson>(*std::move(read.lesson));
 }
 
-void touch(LessonSession& session, std::int32_t atom, double from_s) {
+void sessionTouch(LessonSession& session, std::int32_t atom, double from_s) {
   for (int i = 0; i <= 150; ++i) {
     TouchSample s;
     s.time_s = from_s + i * 0.001;
@@ -41,9 +42,9 @@ TEST_CASE(
     "Next and Back pass an aside over; from it both lead to the step that linked to it, and progress does not count "
     "it") {
   LessonSession s(
-      lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\n```scene\nprobe: 2 "
-             "Å\n```\n[y](#aside-y)\n### Question: Q?\n- [x] a\n- [ ] b\n"
-             "## B\n## Aside: Y\nText.\n"));
+      sessionLesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\n```scene\nprobe: 2 "
+                    "Å\n```\n[y](#aside-y)\n### Question: Q?\n- [x] a\n- [ ] b\n"
+                    "## B\n## Aside: Y\nText.\n"));
   CHECK(s.lesson().steps[1].title == "X");
   CHECK(s.lesson().steps[1].scene.touch.probe_A == 2.0);
   CHECK(s.lesson().steps[2].scene.touch.probe_A == 1.4);
@@ -66,21 +67,21 @@ TEST_CASE(
 }
 
 TEST_CASE("tasks wait for the molecule, then are done one at a time in their order") {
-  LessonSession session(lesson(kBody));
-  touch(session, 0, 0.0);
+  LessonSession session(sessionLesson(kSessionBody));
+  sessionTouch(session, 0, 0.0);
   CHECK_FALSE(session.task(0).done);
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   CHECK(session.task(0).current);
   CHECK(session.task(0).say == "S");
   CHECK(session.task(1).sentence.empty());
   CHECK(session.task(1).say == "Then this.");
-  touch(session, 1, 1.0);
+  sessionTouch(session, 1, 1.0);
   CHECK_FALSE(session.task(1).done);
-  touch(session, 0, 2.0);
+  sessionTouch(session, 0, 2.0);
   CHECK(session.task(0).done);
   CHECK(session.task(0).sentence == "P.");
   CHECK(session.task(1).current);
-  touch(session, 1, 3.0);
+  sessionTouch(session, 1, 3.0);
   CHECK(session.task(1).done);
   CHECK_FALSE(session.stepDone());
   CHECK(session.progress() == doctest::Approx(2.0 / 5));
@@ -91,7 +92,7 @@ TEST_CASE("tasks wait for the molecule, then are done one at a time in their ord
 TEST_CASE(
     "a task's figures tell 0.15 s of contact at 0.5 N over a way of 0.15 A, and stay when the step is left and entered "
     "again") {
-  LessonSession session(lesson(kBody));
+  LessonSession session(sessionLesson(kSessionBody));
   CHECK(session.taskFigures(0).empty());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   const auto figure = [&](std::string_view name) {
@@ -125,7 +126,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a question with two right choices takes exactly these two, and a wrong attempt gives feedback") {
-  LessonSession session(lesson(kBody));
+  LessonSession session(sessionLesson(kSessionBody));
   CHECK_FALSE(session.choose(0, {0}));
   CHECK(plainText(session.feedback(0).at(0)) == "Good");
   CHECK(plainText(session.feedback(0).at(1)) == "Look again: more than one is right.");
@@ -141,7 +142,7 @@ TEST_CASE("a question with two right choices takes exactly these two, and a wron
 
 TEST_CASE("1.4 Å with tolerance 0.1 Å takes 1.5, 0.14 nm and 1.3 Å, not 1.6; words are taken in capitals") {
   for (const char* right : {"1.5", "0.14 nm", "1.3 Å", " 1.4 "}) {
-    LessonSession session(lesson(kBody));
+    LessonSession session(sessionLesson(kSessionBody));
     session.next();
     for (const char* wrong : {"1.6", "14 nm"}) CHECK_FALSE(session.write(0, wrong));
     CHECK(plainText(session.feedback(0).at(0)) == "Measure again.");
@@ -158,7 +159,7 @@ TEST_CASE("1.4 Å with tolerance 0.1 Å takes 1.5, 0.14 nm and 1.3 Å, not 1.6; 
 }
 
 TEST_CASE("next, back and links move between 3 steps and stop at the ends; the scene's molecule follows") {
-  LessonSession session(lesson(kBody));
+  LessonSession session(sessionLesson(kSessionBody));
   session.back();
   CHECK(session.stepIndex() == 0);
   const std::size_t scene = session.sceneNumber();
@@ -176,23 +177,23 @@ TEST_CASE("next, back and links move between 3 steps and stop at the ends; the s
 }
 
 TEST_CASE("a lesson read again keeps the step by its id and what was done in steps of the same shape") {
-  LessonSession session(lesson(kBody));
+  LessonSession session(sessionLesson(kSessionBody));
   session.choose(0, {0, 1});
   session.next();
   session.write(0, "1.4");
-  session.replaceLesson(lesson("## New\n```scene\nmolecule: mix\n```\n" + kBody));
+  session.replaceLesson(sessionLesson("## New\n```scene\nmolecule: mix\n```\n" + kSessionBody));
   CHECK(session.step().id == "b");
   CHECK(session.stepIndex() == 2);
   CHECK(session.question(0).answered_right);
-  session.replaceLesson(lesson("## Z\n```scene\nmolecule: mix\n```\n"));
+  session.replaceLesson(sessionLesson("## Z\n```scene\nmolecule: mix\n```\n"));
   CHECK(session.stepIndex() == 0);
   CHECK(session.progress() == 1.0);
 }
 
 TEST_CASE("a step that has the same molecule with its waters is another scene: its tasks wait for that molecule") {
   LessonSession session(
-      lesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nwaters: yes\n```\n"
-             "```touch\nreach: atom 0\nsay: S\n```\n## C\n```scene\nprobe: 2 Å\n```\nText.\n"));
+      sessionLesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nwaters: yes\n```\n"
+                    "```touch\nreach: atom 0\nsay: S\n```\n## C\n```scene\nprobe: 2 Å\n```\nText.\n"));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   session.next();
   CHECK(session.scene().molecule == NamedMolecule("mix", {.waters = true}));
@@ -208,7 +209,7 @@ TEST_CASE(
     "what a task draws is another for each student, sitting and time that the step is entered, and the same else") {
   const std::string body = "## A\n```scene\nmolecule: mix\n```\n```touch\nfind: atom 0\nsay: S\n```\n## B\nText.\n";
   const auto turnedFor = [&](std::uint64_t seed, std::size_t sitting, int entered) {
-    LessonSession s(lesson(body));
+    LessonSession s(sessionLesson(body));
     s.setOrderSeed(seed, sitting);
     s.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
     for (int k = 0; k < entered; ++k) {
@@ -227,7 +228,7 @@ TEST_CASE(
 }
 
 TEST_CASE("one slide from atom 0 over the crease to atom 1 fulfils a task to feel the crease and one to cross it") {
-  const auto two = lesson(
+  const auto two = sessionLesson(
       "## A\n```scene\nmolecule: mix\n```\n```touch\nfeel: crease\nsay: S\n```\n"
       "```touch\ncross: atom 0\nto: atom 1\nsay: T\n```\n");
   const auto slide = [&](LessonSession& s, double gap_s) {
@@ -258,7 +259,8 @@ TEST_CASE("one slide from atom 0 over the crease to atom 1 fulfils a task to fee
 
 TEST_CASE(
     "of four steps one of which is an aside the third that counts is step 3 of 3, and in the aside step 1 stays") {
-  LessonSession s(lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\nT\n## B\nT\n## C\nT\n"));
+  LessonSession s(
+      sessionLesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\nT\n## B\nT\n## C\nT\n"));
   CHECK(s.route().size() == 3);
   REQUIRE(s.goTo("#aside-x"));
   CHECK(s.numberOf(s.mainStepIndex()) == 1);

@@ -16,34 +16,35 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead =
+const std::string kStepRulesHead =
     "---\ntitle: T\nminutes: 1\ngoals:\n- One\n- Two\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
-const std::string kScene = "```scene\nmolecule: mix\n```\n";
+const std::string kStepRulesScene = "```scene\nmolecule: mix\n```\n";
 const std::string kChoices = "### Question: Q?\n- [ ] no → Look [again](#aside-why).\n- [x] yes → So it is.\n";
 
 std::string answer(const std::string& lines) { return "```answer\n" + lines + "```\n"; }
 
 // Three steps and an aside; a question with these lines in the second.
 std::string withRules(const std::string& lines) {
-  return "## A\nText.\n" + kScene + "## B\n" + kChoices + answer(lines) +
+  return "## A\nText.\n" + kStepRulesScene + "## B\n" + kChoices + answer(lines) +
          "## C\nText.\n### Question: C?\n- [x] x\n- [ ] y\n## D\nText.\n## Aside: Why\nText.\n";
 }
 
-std::shared_ptr<const Lesson> lesson(const std::string& body) {
-  LessonReading read = readLessonText("l.md", kHead + body);
+std::shared_ptr<const Lesson> stepRulesLesson(const std::string& body) {
+  LessonReading read = readLessonText("l.md", kStepRulesHead + body);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   REQUIRE(read.lesson);
   return std::make_shared<const Lesson>(*std::move(read.lesson));
 }
 
-LessonCheck checked(const std::string& body) {
-  return checkLesson("l.md", kHead + body, [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
-    return std::make_shared<const Molecule>(mixedMolecule());
-  });
+LessonCheck stepRulesChecked(const std::string& body) {
+  return checkLesson("l.md", kStepRulesHead + body,
+                     [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
+                       return std::make_shared<const Molecule>(mixedMolecule());
+                     });
 }
 
 std::size_t lineOf(const std::string& body, std::string_view text) {
-  const std::string all = kHead + body;
+  const std::string all = kStepRulesHead + body;
   return std::size_t(std::count(all.begin(), all.begin() + std::ptrdiff_t(all.find(text)), '\n')) + 1;
 }
 
@@ -53,7 +54,7 @@ const std::vector<std::size_t> kWrong{0}, kRight{1};
 
 TEST_CASE(
     "after two wrong answers Next leads into the aside once; the question waits for it, and continues afterwards") {
-  LessonSession s(lesson(withRules("after 2 wrong: go to #aside-why\n")));
+  LessonSession s(stepRulesLesson(withRules("after 2 wrong: go to #aside-why\n")));
   s.next();
   s.choose(0, kWrong);
   CHECK_FALSE(s.leadsTo());
@@ -79,7 +80,7 @@ TEST_CASE(
 TEST_CASE("a step is named by its link or its heading, an aside with or without the word") {
   for (const char* name : {"#aside-why", "Aside: Why", "Why", "aside-why"}) {
     CAPTURE(name);
-    const auto l = lesson(withRules("after 1 wrong: go to " + std::string(name) + "\n"));
+    const auto l = stepRulesLesson(withRules("after 1 wrong: go to " + std::string(name) + "\n"));
     CHECK(l->steps[1].questions[0].rules[0].steps == std::vector<std::string>{"aside-why"});
   }
 }
@@ -91,7 +92,8 @@ TEST_CASE(
     for (const bool wrong_before : {false, true}) {
       CAPTURE(at_first_only);
       CAPTURE(wrong_before);
-      LessonSession s(lesson(withRules(at_first_only ? "if right at first: skip #c\n" : "if right: skip #c\n")));
+      LessonSession s(
+          stepRulesLesson(withRules(at_first_only ? "if right at first: skip #c\n" : "if right: skip #c\n")));
       s.next();
       if (wrong_before) s.choose(0, kWrong);
       s.choose(0, kRight);
@@ -107,7 +109,7 @@ TEST_CASE(
 }
 
 TEST_CASE("leading forward passes over what stands between, also when one comes back and continues by Next") {
-  LessonSession s(lesson(withRules("if right: go to #d\n")));
+  LessonSession s(stepRulesLesson(withRules("if right: go to #d\n")));
   s.next();
   s.choose(0, kRight);
   s.next();
@@ -120,9 +122,10 @@ TEST_CASE("leading forward passes over what stands between, also when one comes 
 }
 
 TEST_CASE("after the last try the right answer stands there and one continues; it counts as done and not as right") {
-  LessonSession s(lesson("## A\n" + kScene + kChoices + answer("attempts: 2\n") + "### Question: N?\n" +
-                         answer("number: 1.4 Å\ntolerance: 0.1 Å\nattempts: 1\n") + "### Question: W?\n" +
-                         answer("text: crease, groove\nattempts: 1\nwrong: No.\n") + "## Aside: Why\nText.\n"));
+  LessonSession s(stepRulesLesson("## A\n" + kStepRulesScene + kChoices + answer("attempts: 2\n") +
+                                  "### Question: N?\n" + answer("number: 1.4 Å\ntolerance: 0.1 Å\nattempts: 1\n") +
+                                  "### Question: W?\n" + answer("text: crease, groove\nattempts: 1\nwrong: No.\n") +
+                                  "## Aside: Why\nText.\n"));
   CHECK(s.triesLeft(0) == 2);
   s.choose(0, kWrong);
   CHECK(s.triesLeft(0) == 1);
@@ -147,8 +150,8 @@ TEST_CASE("after the last try the right answer stands there and one continues; i
 
 TEST_CASE("a required step is left by Next and by links only once it is done, by an answer that leads away, and back") {
   const std::string required = "```step\nrequired: yes\n```\n";
-  LessonSession s(lesson("## A\n" + kScene + "## B\n" + required + kChoices +
-                         answer("after 2 wrong: go to #aside-why\n") + "## C\nText.\n## Aside: Why\nText.\n"));
+  LessonSession s(stepRulesLesson("## A\n" + kStepRulesScene + "## B\n" + required + kChoices +
+                                  answer("after 2 wrong: go to #aside-why\n") + "## C\nText.\n## Aside: Why\nText.\n"));
   s.next();
   CHECK_FALSE(s.mayGoOn());
   s.next();
@@ -173,10 +176,11 @@ TEST_CASE("a required step is left by Next and by links only once it is done, by
 }
 
 TEST_CASE("'required' in the front matter holds for every step that does not say otherwise, and for no aside") {
-  std::string head = kHead;
+  std::string head = kStepRulesHead;
   head.insert(head.find("molecules"), "required: yes\n");
-  const LessonReading read = readLessonText(
-      "l.md", head + "## A\n" + kScene + "## B\n```step\nrequired: no\n```\nText.\n## Aside: C\nText. [a](#aside-c)\n");
+  const LessonReading read =
+      readLessonText("l.md", head + "## A\n" + kStepRulesScene +
+                                 "## B\n```step\nrequired: no\n```\nText.\n## Aside: C\nText. [a](#aside-c)\n");
   REQUIRE(read.lesson);
   CHECK(read.lesson->required);
   CHECK(read.lesson->steps[0].required);
@@ -185,7 +189,7 @@ TEST_CASE("'required' in the front matter holds for every step that does not say
 }
 
 TEST_CASE("earlier work is restored: used tries, a pending move to another step, and one that was made") {
-  const auto l = lesson(withRules("attempts: 3\nafter 2 wrong: go to #aside-why\n"));
+  const auto l = stepRulesLesson(withRules("attempts: 3\nafter 2 wrong: go to #aside-why\n"));
   for (const bool gone : {false, true}) {
     CAPTURE(gone);
     LessonSession s(l);
@@ -217,15 +221,15 @@ TEST_CASE(
     std::string body;
     for (std::size_t k = 0; k < steps; ++k) {
       const bool aside = k > 0 && draw(4) == 0;
-      body += "## " + std::string(aside ? "Aside: " : "") + "S" + std::to_string(k) + "\n" + (k == 0 ? kScene : "") +
-              "Text.\n" + (!aside && draw(2) ? "```step\nrequired: yes\n```\n" : "") +
+      body += "## " + std::string(aside ? "Aside: " : "") + "S" + std::to_string(k) + "\n" +
+              (k == 0 ? kStepRulesScene : "") + "Text.\n" + (!aside && draw(2) ? "```step\nrequired: yes\n```\n" : "") +
               "### Question: Q?\n- [ ] no\n- [x] yes\n```answer\n" + (draw(3) ? "" : "attempts: 3\n");
       for (const char* when : {"if right", "if right at first", "after 1 wrong", "after 2 wrong"})
         if (const std::size_t to = draw(steps); draw(2) && to != k)
           body += when + std::string(draw(2) ? ": go to S" : ": skip S") + std::to_string(to) + "\n";
       body += "```\n";
     }
-    LessonReading read = readLessonText("l.md", kHead + body);
+    LessonReading read = readLessonText("l.md", kStepRulesHead + body);
     CAPTURE(body);
     REQUIRE(read.lesson);
     LessonSession s(std::make_shared<const Lesson>(*std::move(read.lesson)));
@@ -267,7 +271,7 @@ TEST_CASE("each mistake in a condition is reported at its line") {
   for (const Mistake& m : mistakes) {
     CAPTURE(m.lines);
     const std::string body = withRules(m.lines) + "[why](#aside-why)\n";
-    const LessonCheck found = checked(body);
+    const LessonCheck found = stepRulesChecked(body);
     const std::vector<Problem>& reported = m.warning ? found.warnings : found.errors;
     CHECK(std::any_of(reported.begin(), reported.end(), [&](const Problem& p) {
       return p.line == lineOf(body, m.lines) + (m.lines.starts_with(m.at) ? 0 : 1) &&
@@ -281,23 +285,26 @@ TEST_CASE(
     "a condition on answers that are not judged is reported, as are a required aside and a required "
     "step without anything to do") {
   const auto line = [](const std::string& body, std::string_view at, bool warning = false) {
-    const LessonCheck found = checked(body);
+    const LessonCheck found = stepRulesChecked(body);
     const std::vector<Problem>& reported = warning ? found.warnings : found.errors;
     return std::any_of(reported.begin(), reported.end(), [&](const Problem& p) { return p.line == lineOf(body, at); });
   };
-  CHECK(line("## A\n" + kScene + "### Question: F?\n" + answer("free: yes\nattempts: 2\n"), "attempts: 2"));
-  CHECK(line("## A\n" + kScene + "### Prediction: F?\n- [ ] a\n- [x] b\n" + answer("if right: skip B\n") + "## B\nT.\n",
+  CHECK(line("## A\n" + kStepRulesScene + "### Question: F?\n" + answer("free: yes\nattempts: 2\n"), "attempts: 2"));
+  CHECK(line("## A\n" + kStepRulesScene + "### Prediction: F?\n- [ ] a\n- [x] b\n" + answer("if right: skip B\n") +
+                 "## B\nT.\n",
              "if right"));
-  CHECK(line("## A\n" + kScene + "[w](#aside-w)\n## Aside: W\n```step\nrequired: yes\n```\nText.\n", "```step"));
-  CHECK(line("## A\n" + kScene + "## B\n```step\nrequired: yes\n```\nText.\n", "```step", true));
-  CHECK(line("## A\n" + kScene + "## B\n```step\ngoal: 1\n```\n```step\ngoal: 2\n```\nText.\n", "```step\ngoal: 2"));
+  CHECK(
+      line("## A\n" + kStepRulesScene + "[w](#aside-w)\n## Aside: W\n```step\nrequired: yes\n```\nText.\n", "```step"));
+  CHECK(line("## A\n" + kStepRulesScene + "## B\n```step\nrequired: yes\n```\nText.\n", "```step", true));
+  CHECK(line("## A\n" + kStepRulesScene + "## B\n```step\ngoal: 1\n```\n```step\ngoal: 2\n```\nText.\n",
+             "```step\ngoal: 2"));
 }
 
 TEST_CASE("an aside to which only a condition leads is reached; goals of a step are those of its parts") {
   const LessonCheck found =
-      checked("## A\n```step\ngoal: 1, 2\n```\n" + kScene +
-              "```touch\nreach: atom 0\nsay: S\n```\n```touch\nreach: atom 0\nsay: S\ngoal: 2\n```\n" + kChoices +
-              answer("after 1 wrong: go to Why\n") + "## Aside: Why\nText.\n");
+      stepRulesChecked("## A\n```step\ngoal: 1, 2\n```\n" + kStepRulesScene +
+                       "```touch\nreach: atom 0\nsay: S\n```\n```touch\nreach: atom 0\nsay: S\ngoal: 2\n```\n" +
+                       kChoices + answer("after 1 wrong: go to Why\n") + "## Aside: Why\nText.\n");
   REQUIRE(found.lesson);
   CHECK(found.errors.empty());
   using Goals = std::vector<std::size_t>;

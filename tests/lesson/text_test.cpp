@@ -21,11 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
-const std::string kStep = "## One step\n```scene\nmolecule: mix\n```\n";  // lines 9 to 12
+const std::string kTextHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kTextStep = "## One step\n```scene\nmolecule: mix\n```\n";  // lines 9 to 12
 
-Lesson lessonOf(const std::string& text) {
-  LessonReading reading = readLessonText("l.md", kHead + kStep + text);
+Lesson textLessonOf(const std::string& text) {
+  LessonReading reading = readLessonText("l.md", kTextHead + kTextStep + text);
   for (const Problem& p : reading.errors) FAIL(p.text());
   return *reading.lesson;
 }
@@ -43,7 +43,7 @@ std::string shown(const RichText& text) {
   return out;
 }
 std::string shown(const std::string& text) {
-  const Lesson lesson = lessonOf(text);
+  const Lesson lesson = textLessonOf(text);
   return shown(std::get<Paragraph>(lesson.steps[0].blocks.at(0)).text);
 }
 
@@ -57,21 +57,21 @@ std::string formula(std::string_view text) {
   return out;
 }
 
-Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
+Expected<std::shared_ptr<const Molecule>> textOnlyMix(const NamedMolecule& named) {
   if (named.name == "mix") return std::make_shared<const Molecule>(mixedMolecule());
   return Problem{{}, 0, 0, "there is no molecule '" + named.name + "'", "choose another"};
 }
 
-std::vector<std::string> reported(const std::vector<Problem>& problems) {
+std::vector<std::string> textReported(const std::vector<Problem>& problems) {
   std::vector<std::string> out;
   for (const Problem& p : problems) out.push_back(p.text());
   return out;
 }
 
-struct Folder {
+struct TextFolder {
   fs::path path = fs::temp_directory_path() / ("moltact-text-" + std::to_string(::getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
+  TextFolder() { fs::create_directories(path); }
+  ~TextFolder() { fs::remove_all(path); }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path / name, std::ios::binary) << text;
   }
@@ -113,13 +113,13 @@ TEST_CASE("the text alone writes scripts by Unicode where that has all of them, 
 }
 
 TEST_CASE("a heading with a subscript has the id that pages of the web give it, and its link leads there") {
-  const Lesson lesson = lessonOf("Text and [H~2~O](#water-h2o).\n\n## Water, H~2~O\n\nText.\n");
+  const Lesson lesson = textLessonOf("Text and [H~2~O](#water-h2o).\n\n## Water, H~2~O\n\nText.\n");
   CHECK(lesson.steps[1].id == "water-h2o");
   CHECK(lesson.steps[1].title == "Water, H₂O");
 }
 
 TEST_CASE("10^-9 without its second sign is reported at its column, with the mended form") {
-  const LessonReading reading = readLessonText("l.md", kHead + kStep + "A billionth is 10^-9 of it.\n");
+  const LessonReading reading = readLessonText("l.md", kTextHead + kTextStep + "A billionth is 10^-9 of it.\n");
   REQUIRE(reading.warnings.size() == 1);
   CHECK(reading.warnings[0].text() == "l.md:13:18: '^' begins no superscript here, for none ends it; close it: ^-9^");
 }
@@ -164,7 +164,7 @@ TEST_CASE("in a text a formula stands between dollar signs; prices stay") {
 
 TEST_CASE("a table has its headings, its columns' sides and a text in each cell; a row with too few cells is filled") {
   const Lesson lesson =
-      lessonOf("| atom | radius |\n|:---|---:|\n| H~2~ | **1.2 Å** |\n| [C](#one-step) | 1.7 Å |\n| N |\n");
+      textLessonOf("| atom | radius |\n|:---|---:|\n| H~2~ | **1.2 Å** |\n| [C](#one-step) | 1.7 Å |\n| N |\n");
   const auto& table = std::get<Table>(lesson.steps[0].blocks.at(0));
   CHECK(table.sides == std::vector{Table::Side::Left, Table::Side::Right});
   REQUIRE(table.rows.size() == 4);
@@ -177,13 +177,14 @@ TEST_CASE("a table has its headings, its columns' sides and a text in each cell;
 }
 
 TEST_CASE("a link in a table that leads nowhere is reported at its line") {
-  const LessonReading reading = readLessonText("l.md", kHead + kStep + "Text.\n\n| a |\n|---|\n| [b](#nowhere) |\n");
+  const LessonReading reading =
+      readLessonText("l.md", kTextHead + kTextStep + "Text.\n\n| a |\n|---|\n| [b](#nowhere) |\n");
   REQUIRE(reading.errors.size() == 1);
   CHECK(reading.errors[0].line == 17);
 }
 
 TEST_CASE("a picture keeps its path, its words and the caption below it") {
-  const Lesson lesson = lessonOf("Text.\n\n![A ring](ring.png \"Figure 1\")\n");
+  const Lesson lesson = textLessonOf("Text.\n\n![A ring](ring.png \"Figure 1\")\n");
   const auto& image = std::get<Image>(lesson.steps[0].blocks.at(1));
   CHECK(image.path == "ring.png");
   CHECK(image.description == "A ring");
@@ -265,11 +266,11 @@ TEST_CASE("halving keeps the mean: a board of black and white fields of a pixel 
 }
 
 TEST_CASE("check reports an invalid picture at its place") {
-  const Folder folder;
+  const TextFolder folder;
   folder.write("ring.png", "no picture");
   folder.write("good.png", kRedPng);
-  const LessonCheck check =
-      checkLesson(folder / "l.md", kHead + kStep + "Text.\n\n![A ring](ring.png)\n\n![Red](good.png)\n", onlyMix);
+  const LessonCheck check = checkLesson(
+      folder / "l.md", kTextHead + kTextStep + "Text.\n\n![A ring](ring.png)\n\n![Red](good.png)\n", textOnlyMix);
   REQUIRE(check.errors.size() == 1);
   CHECK(check.errors[0].line == 15);
   CHECK(check.errors[0].message == "'ring.png' cannot be shown: this is no picture that a lesson can show");
@@ -280,7 +281,7 @@ TEST_CASE(
   const Glossary words = readGlossary(
       "glossary.md",
       "# Words\n\nFor all.\n\n- **active site**, active sites: A *pocket*: see H~2~O.\n- **pit**: Three.\n");
-  CHECK(reported(words.errors).empty());
+  CHECK(textReported(words.errors).empty());
   REQUIRE(words.words.size() == 2);
   CHECK(words.words[0].word == "active site");
   CHECK(words.words[0].others == std::vector<std::string>{"active sites"});
@@ -291,7 +292,7 @@ TEST_CASE(
 TEST_CASE("an entry without word or meaning, and a word that stands twice, are reported at their lines") {
   const Glossary words =
       readGlossary("glossary.md", "- crease: A line.\n- **pit**\n- **ring**: One.\n- **loop**, ring: Two.\n");
-  CHECK(reported(words.errors) ==
+  CHECK(textReported(words.errors) ==
         std::vector<std::string>{
             "glossary.md:1:3: an entry of the glossary without its word; begin it with the word in two stars: - "
             "**crease**, creases: what it means",
@@ -303,7 +304,7 @@ TEST_CASE("an entry without word or meaning, and a word that stands twice, are r
 
 TEST_CASE(
     "the first of each word in every step leads to its meaning, the longest first, whole words only, in capitals too") {
-  Lesson lesson = lessonOf(
+  Lesson lesson = textLessonOf(
       "Hydrogen bonds hold it; hydrogen does not. Pits and a pit, pit-shaped, pitfall.\n\n"
       "`crease` and [crease](#one-step)s, creases.\n\n## Two\n\nA pit.\n\n"
       "## Glossary\n\n- **pit**, pits: Three.\n- **hydrogen**: H.\n- **hydrogen bond**, hydrogen bonds: Weak.\n- "
@@ -318,7 +319,7 @@ TEST_CASE(
 
 TEST_CASE("a word that the author has linked gets no other link in its step; the text itself stays as it was") {
   const std::string text = "A pit and [these](#word:pits).\n\n## Glossary\n\n- **pit**, pits: Three.\n";
-  Lesson lesson = lessonOf(text);
+  Lesson lesson = textLessonOf(text);
   const std::string before = plainText(std::get<Paragraph>(lesson.steps[0].blocks[0]).text);
   linkWords(lesson, {});
   CHECK(linksOf(lesson, 0) == std::vector<std::string>{"these -> #word:pits"});
@@ -329,7 +330,7 @@ TEST_CASE("a word that the author has linked gets no other link in its step; the
 }
 
 TEST_CASE("what is asked in a question has no link to its answer") {
-  Lesson lesson = lessonOf(
+  Lesson lesson = textLessonOf(
       "Text.\n\n### Question: What is a pit?\n\nOf a pit.\n\n- [x] three → A pit.\n- [ ] two → No.\n\n## Glossary\n\n- "
       "**pit**: Three.\n");
   linkWords(lesson, {});
@@ -339,7 +340,7 @@ TEST_CASE("what is asked in a question has no link to its answer") {
 }
 
 TEST_CASE("the words beside a lesson are those of its language; its own come before them") {
-  const Folder folder;
+  const TextFolder folder;
   folder.write("glossary.md", "- **pit**: Shared.\n- **ring**: Round.\n");
   folder.write("glossary.de.md", "- **Grube**: Drei.\n");
   const auto first = [&](const char* file, const char* language) {
@@ -351,7 +352,7 @@ TEST_CASE("the words beside a lesson are those of its language; its own come bef
   CHECK(first("l.md", "de") == "Grube");
   CHECK(first("l.md", "fr") == "pit");
   CHECK(first("l.fr.md", "fr").empty());  // none is better than one in another language
-  Lesson lesson = lessonOf("A pit, a ring.\n\n## Glossary\n\n- **pit**: Own.\n");
+  Lesson lesson = textLessonOf("A pit, a ring.\n\n## Glossary\n\n- **pit**: Own.\n");
   linkWords(lesson, glossaryBeside(folder / "l.md", ""));
   CHECK(plainText(findWord(lesson, "pit")->meaning) == "Own.");
   CHECK(plainText(findWord(lesson, "ring")->meaning) == "Round.");
@@ -359,10 +360,10 @@ TEST_CASE("the words beside a lesson are those of its language; its own come bef
 }
 
 TEST_CASE("check reports a link to a word that is not explained, and a link with a blank in its target") {
-  const Folder folder;
+  const TextFolder folder;
   folder.write("glossary.md", "- **pit**: Shared.\n");
   const auto errors = [&](const std::string& text) {
-    return reported(checkLesson(folder / "l.md", kHead + kStep + text, onlyMix).errors);
+    return textReported(checkLesson(folder / "l.md", kTextHead + kTextStep + text, textOnlyMix).errors);
   };
   CHECK(errors("A [hole](#word:pit).\n").empty());
   CHECK(errors("A [hole](#word:pitt).\n") ==
@@ -372,7 +373,7 @@ TEST_CASE("check reports a link to a word that is not explained, and a link with
 
 TEST_CASE("a block of a step below the heading of the glossary is reported") {
   const LessonReading reading = readLessonText(
-      "l.md", kHead + kStep + "Text.\n\n## Glossary\n\n- **pit**: Three.\n\n```scene\nmolecule: mix\n```\n");
+      "l.md", kTextHead + kTextStep + "Text.\n\n## Glossary\n\n- **pit**: Three.\n\n```scene\nmolecule: mix\n```\n");
   REQUIRE(reading.errors.size() == 1);
   CHECK(reading.errors[0].message == "a scene block in the glossary");
 }

@@ -156,7 +156,7 @@ void compareTasks(const TaskSpec& a, const TaskSpec& b, const std::string& langu
   for (const auto& [key, value] : b.values) CHECK_MESSAGE(a.values.has(key), key);
 }
 
-std::size_t stepOf(const Lesson& lesson, const std::string& link) {
+std::size_t translatedLessonsStepOf(const Lesson& lesson, const std::string& link) {
   return link.empty() ? std::string::npos : lesson.find(link.substr(1)).value_or(std::string::npos);
 }
 
@@ -167,7 +167,8 @@ void compareQuestions(const Lesson& original, const Question& a, const Lesson& t
   REQUIRE(b.choices.size() == a.choices.size());
   for (std::size_t k = 0; k < a.choices.size(); ++k) {
     CHECK(b.choices[k].right == a.choices[k].right);
-    CHECK(stepOf(translated, b.choices[k].link) == stepOf(original, a.choices[k].link));
+    CHECK(translatedLessonsStepOf(translated, b.choices[k].link) ==
+          translatedLessonsStepOf(original, a.choices[k].link));
     compareTexts({a.choices[k].text, a.choices[k].feedback}, {b.choices[k].text, b.choices[k].feedback}, language);
   }
   REQUIRE(b.answer.has_value() == a.answer.has_value());

@@ -11,7 +11,7 @@ using namespace moltact::test;
 
 namespace {
 
-Molecule read(const std::string& text, const std::string& name, const ReadOptions& options = {}) {
+Molecule formatsRead(const std::string& text, const std::string& name, const ReadOptions& options = {}) {
   auto molecule = readMoleculeBytes(text, name, options);
   if (!molecule) FAIL(molecule.problem().text());
   return *std::move(molecule);
@@ -56,7 +56,7 @@ const std::string kWater3000 =
 }  // namespace
 
 TEST_CASE("an SDF file of version 2000 gives its atoms, its bonds with their orders, its name and number") {
-  const Molecule m = read(kEthyne, "x.sdf");
+  const Molecule m = formatsRead(kEthyne, "x.sdf");
   CHECK(places(m) == "C1 0.600 0.000 0.000|C2 -0.600 0.000 0.000|H1 1.660 0.000 0.000|D2 -1.660 0.000 0.000");
   CHECK(bonds(m) == "0-1:3 0-2:1 1-3:1 ");
   CHECK(m.id == "7777");
@@ -66,12 +66,12 @@ TEST_CASE("an SDF file of version 2000 gives its atoms, its bonds with their ord
   CHECK(m.residues[0].kind == ResidueKind::Ligand);
   CHECK(m.residues[0].name == "UNL");
   CHECK(m.warnings.empty());
-  CHECK(read(kEthyne, "no-ending").atoms.size() == 4);
-  CHECK(read(gzipped(kEthyne), "x.mol.gz").atoms.size() == 4);
+  CHECK(formatsRead(kEthyne, "no-ending").atoms.size() == 4);
+  CHECK(formatsRead(gzipped(kEthyne), "x.mol.gz").atoms.size() == 4);
 }
 
 TEST_CASE("a MOL file of version 3000 is read, with lines that continue and atoms numbered as they like") {
-  const Molecule m = read(kWater3000, "x.mol");
+  const Molecule m = formatsRead(kWater3000, "x.mol");
   CHECK(places(m) == "O1 0.000 0.000 0.000|H1 0.757 0.586 0.000|H2 -0.757 0.586 0.000");
   CHECK(bonds(m) == "0-1:1 0-2:1 ");
   CHECK(m.id == "x");
@@ -81,8 +81,8 @@ TEST_CASE("each molecule of an SDF file is a model; a flat drawing is reported")
   std::string flat = kEthyne;
   flat.replace(flat.find("3D"), 2, "2D");
   const std::string both = kEthyne + flat;
-  CHECK(read(both, "x.sdf").warnings == std::vector<std::string>{"The file has 2 models; this is model 1."});
-  const Molecule second = read(both, "x.sdf", {.model = 2});
+  CHECK(formatsRead(both, "x.sdf").warnings == std::vector<std::string>{"The file has 2 models; this is model 1."});
+  const Molecule second = formatsRead(both, "x.sdf", {.model = 2});
   CHECK(bonds(second) == "0-1:3 0-2:1 1-3:1 ");
   CHECK(second.title == "ethyne");
   REQUIRE(second.warnings.size() == 2);
@@ -121,11 +121,11 @@ TEST_CASE("errors in a MOL or SDF file are reported at their place") {
         "file");
   CHECK(problemOf("\n\n", "x.sdf") == "x.sdf: the file is empty; copy or download it again");
   CHECK(problemOf("name\n", "x.sdf") == "x.sdf:1: the file ends within a molecule; copy or download it again");
-  CHECK(read(kEthyne + "\n\n\n\n\n", "x.sdf").models_in_file == 1);
+  CHECK(formatsRead(kEthyne + "\n\n\n\n\n", "x.sdf").models_in_file == 1);
 }
 
 TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain may be left out") {
-  const Molecule m = read(
+  const Molecule m = formatsRead(
       "REMARK own\nATOM      1  N   ALA A   1       1.000   2.000   3.000 -0.3000 1.8240\n"
       "ATOM      2  HB1 ALA A   1       2.000   2.000   3.000  0.1000 0.0000\n"
       "HETATM10000  NA  NA    2A      9.000   2.000   3.000  1.0000 1.8680\nEND\n",
@@ -144,7 +144,8 @@ TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain 
 }
 
 TEST_CASE("the element after the radius in a PQR file of Open Babel counts more than the name") {
-  const Molecule m = read("HETATM 1 CA LIG A 1 1 2 3 -0.3 1.8 Ca\nHETATM 2 CA LIG 1 1 2 6 -0.3 1.8 C\n", "x.pqr");
+  const Molecule m =
+      formatsRead("HETATM 1 CA LIG A 1 1 2 3 -0.3 1.8 Ca\nHETATM 2 CA LIG 1 1 2 6 -0.3 1.8 C\n", "x.pqr");
   CHECK(m.atoms[0].atomic_number == 20);
   CHECK(m.atoms[1].atomic_number == 6);
   CHECK(m.spheres[1].centre_A == Vec3(1, 2, 6));
@@ -182,21 +183,21 @@ TEST_CASE("GRO is read in angstroms, frame by frame; points without mass are lef
       "   1.82060   1.82060   1.82060\n"
       "later\n    2\n    1LIG    CL1    1   1.00001  -2.00000   3.12341\n    1LIG     C2    2   1.10000  -2.00000   "
       "3.00000\n   1.8 1.8 1.8\n\n";
-  const Molecule m = read(frames, "x.gro", {.waters = true});
+  const Molecule m = formatsRead(frames, "x.gro", {.waters = true});
   CHECK(places(m) == "OW 1.260 16.240 16.790|HW1 1.900 16.610 17.470|HW2 1.770 15.680 16.130|NA 5.000 5.000 5.000");
   CHECK(m.residues[0].kind == ResidueKind::Water);
   CHECK(m.residues[1].kind == ResidueKind::Ion);
   CHECK(m.atoms[3].atomic_number == 11);
   CHECK(m.title == "water t=   0.00000");
   CHECK(m.models_in_file == 2);
-  const Molecule later = read(frames, "x.gro", {.model = 2});
+  const Molecule later = formatsRead(frames, "x.gro", {.model = 2});
   CHECK(places(later) == "CL1 10.000 -20.000 31.234|C2 11.000 -20.000 30.000");
   CHECK(later.atoms[0].atomic_number == 17);
   CHECK(later.residues[0].kind == ResidueKind::Ligand);
 }
 
 TEST_CASE("residue 99999 of a GRO file is followed by 100000") {
-  const Molecule m = read(
+  const Molecule m = formatsRead(
       "many\n    2\n99999SOL     OW    1   0.126   1.624   1.679\n    0SOL     OW    2   0.500   1.624   "
       "1.679\n   1 1 1\n",
       "x.gro", {.waters = true});
@@ -233,7 +234,7 @@ const std::string kSaltAtoms =
 }  // namespace
 
 TEST_CASE("the CIF of rock salt gives two ions, its cell eight at the places of the lattice") {
-  const Molecule m = read(kSaltCell + kSaltSymmetry + kSaltAtoms, "x.cif");
+  const Molecule m = formatsRead(kSaltCell + kSaltSymmetry + kSaltAtoms, "x.cif");
   CHECK(places(m) == "Na1 0.000 0.000 0.000|Cl1 2.820 0.000 0.000");
   CHECK(m.id == "salt");
   CHECK(m.title == "Rock salt");
@@ -241,7 +242,7 @@ TEST_CASE("the CIF of rock salt gives two ions, its cell eight at the places of 
   CHECK(m.atoms[0].b_factor_A2 == doctest::Approx(0.02 * 8 * 9.8696));
   REQUIRE(m.warnings.size() == 1);
   CHECK(m.warnings[0] == "These are the atoms of the asymmetric unit; the assembly 'cell' is the whole unit cell.");
-  const Molecule cell = read(kSaltCell + kSaltSymmetry + kSaltAtoms, "x.cif", {.assembly = "cell"});
+  const Molecule cell = formatsRead(kSaltCell + kSaltSymmetry + kSaltAtoms, "x.cif", {.assembly = "cell"});
   CHECK(cell.atoms.size() == 8);
   std::set<std::string> seen;
   for (const PlacedAtom& a : cell.placedAtoms()) {
@@ -264,7 +265,7 @@ TEST_CASE("in an oblique cell two atoms lie as far apart as the cell's metric sa
       "data_x\n_cell_length_a 6\n_cell_length_b 7\n_cell_length_c 8\n_cell_angle_alpha 80\n_cell_angle_beta 100\n"
       "_cell_angle_gamma 110\nloop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
       "O1W 0.1 0.2 0.3\nFe1 0.4 0.1 0.7\nC99 ? . .\n";
-  const Molecule m = read(cif, "x.cif");
+  const Molecule m = formatsRead(cif, "x.cif");
   REQUIRE(m.atoms.size() == 2);
   CHECK(m.atoms[0].atomic_number == 8);
   CHECK(m.atoms[1].atomic_number == 26);
@@ -283,10 +284,10 @@ TEST_CASE("of disorder groups the most occupied is kept; a second block of atoms
   const std::string one = cell + head + "C1 0 0 0 1 .\nC2A .1 0 0 0.4 1\nC3A .2 0 0 0.4 1\nC2B .1 .1 0 0.6 2\n";
   cell.replace(cell.find("data_salt"), 9, "data_next");
   const std::string two = one + cell + head + "N1 0 0 0 1 .\n";
-  const Molecule m = read(one, "x.cif");
+  const Molecule m = formatsRead(one, "x.cif");
   CHECK(places(m) == "C1 0.000 0.000 0.000|C2B 0.564 0.564 0.000");
   CHECK(m.warnings == std::vector<std::string>{"2 atoms of less occupied disorder groups left out."});
-  const Molecule next = read(two, "x.cif", {.model = 2});
+  const Molecule next = formatsRead(two, "x.cif", {.model = 2});
   CHECK(places(next) == "N1 0.000 0.000 0.000");
   CHECK(next.id == "next");
 }
@@ -336,12 +337,12 @@ TEST_CASE("in a PDB file residue 9999 is followed by 10000, as GROMACS and as VM
   };
   // GROMACS: 9999, 0, 1 in columns 23-26.
   std::string gromacs = line("9999 ", 0) + line("   0 ", 3) + line("   1 ", 6);
-  const Molecule g = read(gromacs, "x.pdb", {.waters = true});
+  const Molecule g = formatsRead(gromacs, "x.pdb", {.waters = true});
   REQUIRE(g.residues.size() == 3);
   CHECK(g.residues[1].number == 10'000);
   CHECK(g.residues[2].number == 10'001);
   // VMD and others: 10000 in columns 23-27.
-  const Molecule v = read(line("9999 ", 0) + line("10000", 3) + line("10001", 6), "x.pdb", {.waters = true});
+  const Molecule v = formatsRead(line("9999 ", 0) + line("10000", 3) + line("10001", 6), "x.pdb", {.waters = true});
   REQUIRE(v.residues.size() == 3);
   CHECK(v.residues[1].number == 10'000);
   CHECK(v.residues[2].number == 10'001);
@@ -349,7 +350,8 @@ TEST_CASE("in a PDB file residue 9999 is followed by 10000, as GROMACS and as VM
 }
 
 TEST_CASE("a lipid's name of four letters is whole, and the chain is what follows it") {
-  const Molecule m = read("ATOM      1  P   POPCA   7       0.000   0.000   0.000  1.00 12.50           P\n", "x.pdb");
+  const Molecule m =
+      formatsRead("ATOM      1  P   POPCA   7       0.000   0.000   0.000  1.00 12.50           P\n", "x.pdb");
   REQUIRE(m.residues.size() == 1);
   CHECK(m.residues[0].name == "POPC");
   CHECK(m.chains[0].name == "A");
@@ -373,7 +375,7 @@ TEST_CASE("an assembly of 1680 operators keeps its atoms where they belong, thou
     }
   }
   text += atomLine(" CA", ' ', "ALA", 'A', 1, ' ', 10, 0, 0, 1, "C") + "END\n";
-  const Molecule m = read(text, "x.pdb", {.assembly = "1"});
+  const Molecule m = formatsRead(text, "x.pdb", {.assembly = "1"});
   REQUIRE(m.atoms.size() == 1680);
   for (int k = 1; k <= 1680; ++k) {
     const Vec3 at = m.spheres[std::size_t(k - 1)].centre_A;

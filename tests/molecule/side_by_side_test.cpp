@@ -14,7 +14,7 @@ using namespace moltact::test;
 
 namespace {
 
-Molecule library(const std::string& file, const ReadOptions& options = {}) {
+Molecule sideBySideLibrary(const std::string& file, const ReadOptions& options = {}) {
   auto molecule = readMolecule(libraryFolder() / file, options);
   REQUIRE_MESSAGE(molecule, file);
   return *std::move(molecule);
@@ -37,8 +37,8 @@ Extent along(const Molecule& m, std::size_t from, std::size_t to, int axis) {
 TEST_CASE(
     "beside ubiquitin benzene stands 10 Å to the right of it, in its middle's height and depth; nothing else has "
     "moved") {
-  const Molecule alone = library("1ubq.pdb"), ring = library("benzene.pdb");
-  const Molecule both = library("1ubq.pdb", {.beside = "benzene"});
+  const Molecule alone = sideBySideLibrary("1ubq.pdb"), ring = sideBySideLibrary("benzene.pdb");
+  const Molecule both = sideBySideLibrary("1ubq.pdb", {.beside = "benzene"});
   REQUIRE(both.atoms.size() == alone.atoms.size() + ring.atoms.size());
   REQUIRE(both.beside_from == alone.atoms.size());
   CHECK(both.id == alone.id);
@@ -63,7 +63,7 @@ TEST_CASE("the molecule beside is read as the first is, but for model, assembly 
 }
 
 TEST_CASE("the second's chains have a 2 behind their names, and every atom leads to its own residue and chain") {
-  const Molecule both = library("1ubq.pdb", {.beside = "1hel"});
+  const Molecule both = sideBySideLibrary("1ubq.pdb", {.beside = "1hel"});
   REQUIRE(both.chains.size() == 2);
   CHECK(both.chains[0].name == "A");
   CHECK(both.chains[1].name == "A2");
@@ -80,7 +80,7 @@ TEST_CASE("the second's chains have a 2 behind their names, and every atom leads
 TEST_CASE(
     "the same molecule beside itself, turned at random, stands turned as the first: each atom by the same shift to "
     "1e-6 Å") {
-  const Molecule one = library("1ubq.pdb");
+  const Molecule one = sideBySideLibrary("1ubq.pdb");
   Molecule turned = one;
   const glm::dmat3 turn = glm::mat3_cast(glm::normalize(glm::dquat(0.3, -0.5, 0.7, 0.2)));
   std::vector<Sphere> spheres = one.spheres.copy();
@@ -94,7 +94,7 @@ TEST_CASE(
 }
 
 TEST_CASE("what is the same by number alone, and not by name, is not turned") {
-  const Molecule one = library("1ubq.pdb"), other = library("1hel.pdb");
+  const Molecule one = sideBySideLibrary("1ubq.pdb"), other = sideBySideLibrary("1hel.pdb");
   const Molecule both = sideBySide(one, other);
   const Vec3 shift = both.spheres[both.beside_from].centre_A - other.spheres[0].centre_A;
   for (std::size_t i = 0; i < other.atoms.size(); ++i)
@@ -107,7 +107,7 @@ TEST_CASE(
   const auto missing = readMolecule(libraryFolder() / "1ubq.pdb", {.beside = "nothing-like-it"});
   REQUIRE(!missing);
   CHECK(!missing.problem().message.empty());
-  Molecule one = library("1ubq.pdb"), other = library("1hel.pdb");
+  Molecule one = sideBySideLibrary("1ubq.pdb"), other = sideBySideLibrary("1hel.pdb");
   one.has_recorded_structure = true;
   other.has_recorded_structure = false;
   CHECK(!sideBySide(one, other).has_recorded_structure);

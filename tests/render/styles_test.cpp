@@ -10,7 +10,7 @@ using namespace moltact::test;
 
 namespace {
 
-AtomList list(std::vector<std::uint32_t> atoms) {
+AtomList stylesList(std::vector<std::uint32_t> atoms) {
   return std::make_shared<const std::vector<std::uint32_t>>(std::move(atoms));
 }
 
@@ -23,7 +23,7 @@ ViewScene twoInLine() {
   return scene;
 }
 
-const RenderOptions kPlain{.smooth_edges = false, .outlines = false};
+const RenderOptions kStylesPlain{.smooth_edges = false, .outlines = false};
 
 int redOver(const Picture& p, int x, int y) { return int(p.at(x, y)[0]) - int(p.at(x, y)[2]); }
 
@@ -31,21 +31,21 @@ int redOver(const Picture& p, int x, int y) { return int(p.at(x, y)[0]) - int(p.
 
 TEST_CASE("an atom that is hidden is not drawn, and what lies behind it is") {
   ViewScene scene = twoInLine();
-  const Picture both = drawn(scene, 200, 160, kPlain);
+  const Picture both = drawn(scene, 200, 160, kStylesPlain);
   CHECK(redOver(both, 100, 80) > 40);
-  scene.look.hidden = list({0});
-  const Picture without = drawn(scene, 200, 160, kPlain);
+  scene.look.hidden = stylesList({0});
+  const Picture without = drawn(scene, 200, 160, kStylesPlain);
   CHECK(redOver(without, 100, 80) < -40);
 }
 
 TEST_CASE("an atom at 40 % shows 40 % of itself and 60 % of what lies behind it, and hides no probe's depth") {
   ViewScene scene = twoInLine();
-  const Picture opaque = drawn(scene, 200, 160, kPlain);
-  scene.look.hidden = list({0});
-  const Picture behind = drawn(scene, 200, 160, kPlain);
+  const Picture opaque = drawn(scene, 200, 160, kStylesPlain);
+  scene.look.hidden = stylesList({0});
+  const Picture behind = drawn(scene, 200, 160, kStylesPlain);
   scene.look.hidden = nullptr;
-  scene.look.styles = {{DrawStyle::Spheres, list({1}), 1.0f}, {DrawStyle::Spheres, list({0}), 0.4f}};
-  const Picture faint = drawn(scene, 200, 160, kPlain);
+  scene.look.styles = {{DrawStyle::Spheres, stylesList({1}), 1.0f}, {DrawStyle::Spheres, stylesList({0}), 0.4f}};
+  const Picture faint = drawn(scene, 200, 160, kStylesPlain);
   for (int k = 0; k < 3; ++k) {
     const double expected = 0.4 * opaque.at(100, 80)[k] + 0.6 * behind.at(100, 80)[k];
     CHECK(std::abs(double(faint.at(100, 80)[k]) - expected) < 6.0);  // of 255: the front atom shades what lies behind
@@ -59,15 +59,15 @@ TEST_CASE(
   scene.molecule = molecule({atom(Vec3(0), 2.0, 8)});
   scene.camera = frontCamera(30);
   scene.shown = {};
-  const Picture bare = drawn(scene, 301, 241, kPlain);
+  const Picture bare = drawn(scene, 301, 241, kStylesPlain);
   scene.shown = {ViewPart::Atoms};
-  const Picture whole = drawn(scene, 301, 241, kPlain);
+  const Picture whole = drawn(scene, 301, 241, kStylesPlain);
   scene.look.cut = CutPlane{Vec3(0, 0, 1), 2.5};
-  CHECK(compare(drawn(scene, 301, 241, kPlain), whole, 0).pixels == 0);
+  CHECK(compare(drawn(scene, 301, 241, kStylesPlain), whole, 0).pixels == 0);
   scene.look.cut->offset_A = -2.5;
-  CHECK(compare(drawn(scene, 301, 241, kPlain), bare, 0).pixels == 0);
+  CHECK(compare(drawn(scene, 301, 241, kStylesPlain), bare, 0).pixels == 0);
   scene.look.cut->offset_A = 0.0;
-  const Picture open = drawn(scene, 301, 241, kPlain);
+  const Picture open = drawn(scene, 301, 241, kStylesPlain);
   const double radius_px = 2.0 / (30.0 * scene.camera.tanHalfY()) * 241 / 2;
   int across = 0;
   std::set<int> shades;
@@ -85,11 +85,11 @@ TEST_CASE("the molecular surface of one sphere covers the same pixels as the sph
   scene.molecule = molecule({atom(Vec3(0.3, -0.2, 0.1), 2.0, 8)});
   scene.camera = frontCamera(24);
   scene.shown = {};
-  const Picture bare = drawn(scene, 240, 200, kPlain);
+  const Picture bare = drawn(scene, 240, 200, kStylesPlain);
   scene.shown = {ViewPart::Atoms};
-  const Picture sphere = drawn(scene, 240, 200, kPlain);
+  const Picture sphere = drawn(scene, 240, 200, kStylesPlain);
   scene.look.styles = {{.style = DrawStyle::Surface}};
-  const Picture surface = drawn(scene, 240, 200, kPlain);
+  const Picture surface = drawn(scene, 240, 200, kStylesPlain);
   const auto width = [&](const Picture& p, int y) {
     int n = 0;
     for (int x = 0; x < 240; ++x) n += std::abs(p.at(x, y)[0] - bare.at(x, y)[0]) > 6;
@@ -104,11 +104,11 @@ TEST_CASE("beside a surface, atoms whose own surface is within 2 A of the probe'
   scene.molecule = molecule({atom(Vec3(-4, 0, 0), 1.5, 8), atom(Vec3(4, 0, 0), 1.5, 8)});
   scene.camera = frontCamera(40);
   scene.shown = {ViewPart::Atoms};
-  scene.look.styles = {{DrawStyle::Spheres, list({}), 1.0f}};
+  scene.look.styles = {{DrawStyle::Spheres, stylesList({}), 1.0f}};
   scene.hip = PointA{Vec3(-4, 4, 0)};  // 1.1 A from the first, 5.7 A from the second
-  const Picture bare = drawn(scene, 240, 160, kPlain);
+  const Picture bare = drawn(scene, 240, 160, kStylesPlain);
   scene.look.spheres_near_A = 2.0;
-  const Picture near = drawn(scene, 240, 160, kPlain);
+  const Picture near = drawn(scene, 240, 160, kStylesPlain);
   const Vec3 first = scene.camera.project({Vec3(-4, 0, 0)}, 240, 160),
              second = scene.camera.project({Vec3(4, 0, 0)}, 240, 160);
   CHECK(redOver(near, int(first.x), int(first.y)) > redOver(bare, int(first.x), int(first.y)) + 40);
@@ -121,7 +121,7 @@ TEST_CASE("the probe's shadow darkens the surface below it, the more the nearer 
   scene.camera = frontCamera(80);
   scene.camera.target.A = Vec3(10, 0, 0);
   scene.shown = {ViewPart::Atoms};
-  const Picture bare = drawn(scene, 400, 240, kPlain);
+  const Picture bare = drawn(scene, 400, 240, kStylesPlain);
   scene.shown.set(ViewPart::Probe);
   const auto brightness = [&](const Picture& p, const Vec3& place) {
     const Vec3 px = scene.camera.project({place}, 400, 240);
@@ -130,9 +130,9 @@ TEST_CASE("the probe's shadow darkens the surface below it, the more the nearer 
   // Beside the probe as it is seen, on the near sphere.
   const Vec3 place = 6.0 * glm::normalize(Vec3(-0.30, 0.0, 1.0));
   scene.hip = PointA{7.5 * glm::normalize(Vec3(-0.62, 0.0, 1.0))};
-  const Picture close = drawn(scene, 400, 240, kPlain);
+  const Picture close = drawn(scene, 400, 240, kStylesPlain);
   scene.hip = PointA{11.0 * glm::normalize(Vec3(-0.62, 0.0, 1.0))};
-  const Picture far = drawn(scene, 400, 240, kPlain);
+  const Picture far = drawn(scene, 400, 240, kStylesPlain);
   CHECK(brightness(close, place) < brightness(bare, place) - 4);
   CHECK(brightness(far, place) > brightness(close, place));
   const Vec3 away(20, 0, 6.0);
@@ -145,7 +145,7 @@ TEST_CASE(
   scene.molecule = molecule({atom(Vec3(0), 2.0, 1)});
   scene.camera = frontCamera(24);
   scene.shown = {ViewPart::Atoms};
-  const Picture hard = drawn(scene, 240, 200, kPlain), soft = drawn(scene, 240, 200, {.outlines = false});
+  const Picture hard = drawn(scene, 240, 200, kStylesPlain), soft = drawn(scene, 240, 200, {.outlines = false});
   const Picture fine = drawn(scene, 240, 200, {.samples = 4, .outlines = false});
   // The error against the picture with 16 samples a pixel, where it is more than the noise of the background.
   double before = 0, after = 0;
@@ -165,16 +165,16 @@ TEST_CASE(
     "a surface that is computed beside the window shows the former style meanwhile, and then what waiting shows") {
   ViewScene scene = twoInLine();
   scene.camera.orbit(0.4, 0.2);
-  const Picture spheres = drawn(scene, 200, 160, kPlain);
+  const Picture spheres = drawn(scene, 200, 160, kStylesPlain);
   scene.look.styles = {{.style = DrawStyle::Surface}};
   scene.probe_A = 1.4;
-  const Picture waited = drawn(scene, 200, 160, kPlain);
+  const Picture waited = drawn(scene, 200, 160, kStylesPlain);
   CHECK(compare(spheres, waited, 8).pixels > 100);
   renderer().invalidate();
   Molecule other = *scene.molecule;  // nothing of another is kept
   other.atoms = other.atoms.copy();
   scene.molecule = std::make_shared<const Molecule>(std::move(other));
-  RenderOptions beside = kPlain;
+  RenderOptions beside = kStylesPlain;
   beside.wait_for_surfaces = false;
   const Picture first = drawn(scene, 200, 160, beside);
   // The thread may have been quick; else there are spheres.
@@ -187,5 +187,5 @@ TEST_CASE(
   const Picture kept = drawn(scene, 200, 160, beside);
   if (renderer().count().surface_progress) CHECK(compare(kept, waited, 0).pixels == 0);
   while (renderer().count().surface_progress) last = drawn(scene, 200, 160, beside);
-  CHECK(compare(last, drawn(scene, 200, 160, kPlain), 0).pixels == 0);
+  CHECK(compare(last, drawn(scene, 200, 160, kStylesPlain), 0).pixels == 0);
 }

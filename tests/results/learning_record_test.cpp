@@ -12,14 +12,14 @@
 namespace moltact {
 namespace {
 
-Attempt sample() { return {"a.jsonl", sampleHeader(), sampleEvents(), {}, false}; }
+Attempt learningRecordSample() { return {"a.jsonl", sampleHeader(), sampleEvents(), {}, false}; }
 
 using Kind = LearningInteraction::Kind;
 
 }  // namespace
 
 TEST_CASE("of 3 scored parts with one first answer wrong the score is 2/3; the goals score 1/1 and 1/2") {
-  const LearningRecord r = learningRecord(sample());
+  const LearningRecord r = learningRecord(learningRecordSample());
   CHECK(r.began == "2026-11-21T10:58:14Z");
   CHECK(r.at_s == doctest::Approx(9.5));
   CHECK(r.step == "two");
@@ -40,7 +40,7 @@ TEST_CASE("of 3 scored parts with one first answer wrong the score is 2/3; the g
 }
 
 TEST_CASE("4 interactions in order of time, with latency, UTC and the misconception of the wrong choice") {
-  const LearningRecord r = learningRecord(sample());
+  const LearningRecord r = learningRecord(learningRecordSample());
   REQUIRE(r.interactions.size() == 4);
   const auto& [task, wrong, right, typed] =
       std::tie(r.interactions[0], r.interactions[1], r.interactions[2], r.interactions[3]);
@@ -70,7 +70,7 @@ TEST_CASE("4 interactions in order of time, with latency, UTC and the misconcept
 }
 
 TEST_CASE("after an attempt was continued its times count from the new sitting: 11:05:00 plus 2.5 s gives 11:05:02") {
-  Attempt attempt = sample();  // continued at 9.5 s
+  Attempt attempt = learningRecordSample();  // continued at 9.5 s
   attempt.events.push_back({12.0, Answered{"two", "how-much", 2, {}, "3", false, InputKind::Keyboard}});
   const LearningInteraction last = learningRecord(attempt).interactions.back();
   CHECK(last.at_utc == "2026-11-21T11:05:02Z");
@@ -78,7 +78,7 @@ TEST_CASE("after an attempt was continued its times count from the new sitting: 
 }
 
 TEST_CASE("predictions and free answers have no score, and a skipped step counts only if it was entered") {
-  Attempt attempt = sample();
+  Attempt attempt = learningRecordSample();
   StepOutline& two = attempt.header.lesson.steps[1];
   two.questions[0].kind = AnswerKind::Free;
   CHECK(*learningRecord(attempt).score == doctest::Approx(0.5));
@@ -123,7 +123,7 @@ TEST_CASE("ids are ASCII without blanks, differ where the parts differ, and stay
 }
 
 TEST_CASE("the JSON for the page is ASCII, has all 4 interactions, or those from the second on") {
-  Attempt attempt = sample();
+  Attempt attempt = learningRecordSample();
   attempt.header.lesson.goals[0] = "Fühle \"es\"\n</script>";
   const LearningRecord r = learningRecord(attempt);
   const std::string text = learningRecordJson(r, "[\"ü\"]");

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Attempt sample() { return {"a.jsonl", sampleHeader(), sampleEvents(), {}, false}; }
+Attempt suspendedSample() { return {"a.jsonl", sampleHeader(), sampleEvents(), {}, false}; }
 
 // What LessonSession::restore reads, as text.
 std::string shown(const SessionMemory& memory) {
@@ -71,7 +71,7 @@ std::vector<LessonOutline> shippedLessons() {
 }  // namespace
 
 TEST_CASE("the sample attempt comes back with the same place, memory, score and progress, in under 300 characters") {
-  const Attempt before = sample();
+  const Attempt before = suspendedSample();
   const std::string text = suspendedText(before, kSuspendScorm12);
   CHECK(text.size() < 300);
   const Expected<Attempt> after = fromSuspended(text, before.header.lesson);
@@ -156,7 +156,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a corrected lesson keeps what it still contains: a step that moved is found, one that is gone is left out") {
-  const Attempt before = sample();
+  const Attempt before = suspendedSample();
   const std::string text = suspendedText(before, kSuspendScorm12);
   LessonOutline moved = before.header.lesson;
   moved.steps.insert(moved.steps.begin(), StepOutline{"zero", "Zero", {}, {}});
@@ -176,7 +176,7 @@ TEST_CASE("a corrected lesson keeps what it still contains: a step that moved is
 
 TEST_CASE(
     "damaged texts are refused with a message: 2000 changed and 200 cut ones give no attempt outside its ranges") {
-  const Attempt before = sample();
+  const Attempt before = suspendedSample();
   const std::string text = suspendedText(before, kSuspendScorm12);
   for (const char* bad : {"", "x", "{}", "[]", "null", "[\"moltact\",2]", R"(["moltact",1,"b",0,1,"0.0",0,1,[],[]])",
                           R"(["moltact",1,"b",1,-1,"0.0",0,1,[],[]])", R"(["moltact",1,"b",1,1e300,"0.0",0,1,[],[]])",
@@ -215,7 +215,7 @@ TEST_CASE(
 TEST_CASE(
     "on another computer the attempt is written from the text; where it is kept at least as far it goes on itself") {
   const ScratchFolder here, there;
-  const Attempt before = sample();
+  const Attempt before = suspendedSample();
   const LessonOutline& lesson = before.header.lesson;
   const std::string text = suspendedText(before, kSuspendScorm12);
   writeFile(here.path / "own.jsonl", sampleFile());

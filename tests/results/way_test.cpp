@@ -30,8 +30,8 @@ std::shared_ptr<const Lesson> branchingLesson() {
 }
 
 // A student in the lesson, kept as a file line by line and read back.
-struct Student {
-  explicit Student(const std::string& name) : session(lesson) {
+struct WayStudent {
+  explicit WayStudent(const std::string& name) : session(lesson) {
     session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
     AttemptHeader header;
     header.began = "2026-11-21T10:58:14Z";
@@ -70,8 +70,8 @@ struct Student {
 };
 
 // Right at first: step 2 is skipped.
-Student quick() {
-  Student s("Quick");
+WayStudent quick() {
+  WayStudent s("Quick");
   s.choose(0);
   s.next();
   s.choose(0);
@@ -79,8 +79,8 @@ Student quick() {
 }
 
 // Wrong twice, to the aside and back, right; the touch done; wrong once at the end.
-Student winding() {
-  Student s("Winding");
+WayStudent winding() {
+  WayStudent s("Winding");
   s.choose(1);
   s.choose(2);
   s.next();
@@ -96,8 +96,8 @@ Student winding() {
 }
 
 // Wrong three times: the tries are used up.
-Student stuck() {
-  Student s("Stuck");
+WayStudent stuck() {
+  WayStudent s("Stuck");
   s.choose(1);
   s.choose(1);
   s.next();
@@ -110,7 +110,7 @@ Student stuck() {
 
 TEST_CASE(
     "an attempt that is taken up again stands where it stood, whatever the student had done with the conditions") {
-  for (const Student& before : {quick(), winding(), stuck()}) {
+  for (const WayStudent& before : {quick(), winding(), stuck()}) {
     CAPTURE(before.file);
     const SessionMemory memory = memoryOf(before.attempt());
     LessonSession after(before.lesson);
@@ -128,7 +128,7 @@ TEST_CASE(
     }
   }
   // In the middle: sent to the aside but not there yet, then there.
-  Student waits("Waits");
+  WayStudent waits("Waits");
   waits.choose(1);
   waits.choose(1);
   LessonSession after(waits.lesson);

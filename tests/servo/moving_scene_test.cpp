@@ -25,7 +25,7 @@ Frame frame(const std::vector<Sphere>& from, const std::vector<Sphere>& to, int 
   REQUIRE(made);
   return *std::move(made);
 }
-Frame after(const SphereMotion& before, const std::vector<Sphere>& to, int ticks = 33) {
+Frame movingSceneAfter(const SphereMotion& before, const std::vector<Sphere>& to, int ticks = 33) {
   auto made = SphereMotion::after(before, to, ticks);
   REQUIRE(made);
   return *std::move(made);
@@ -68,7 +68,7 @@ TEST_CASE(
   for (int k = 0; k < 10; ++k) {
     std::vector<Sphere> to = spheres;
     to[1].centre_A.x = 0.5 * (k + 1);
-    frames.push_back(frames.empty() ? frame(spheres, to) : after(*frames.back(), to));
+    frames.push_back(frames.empty() ? frame(spheres, to) : movingSceneAfter(*frames.back(), to));
     for (int tick = 1; tick <= 33; ++tick) {
       const ServoSample s = hand.tick(10.99, {frames.back().get(), tick / 33.0});
       REQUIRE(s.force.N.z == doctest::Approx(0.505).epsilon(1e-9));
@@ -89,7 +89,7 @@ TEST_CASE(
     double last_N = 0.25;
     for (int k = 0; k < 10; ++k) {
       std::vector<Sphere> to{{{0, 0, 0.04 * (k + 1)}, 1.6}};
-      frames.push_back(frames.empty() ? frame(spheres, to) : after(*frames.back(), to));
+      frames.push_back(frames.empty() ? frame(spheres, to) : movingSceneAfter(*frames.back(), to));
       for (int tick = 1; tick <= 33; ++tick) {
         const ServoSample s = hand.tick(11.5, {frames.back().get(), tick / 33.0});
         REQUIRE_FALSE(s.limits.any());
@@ -187,7 +187,7 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
     if (loop.setMotion(next, 7)) {
       serials.push_back(next->serial());
       kept.push_back(next);
-      next = after(*kept.back(), {{{0, 0, 0.01 * double(kept.size() + 1)}, 1.6}}, 10);
+      next = movingSceneAfter(*kept.back(), {{{0, 0, 0.01 * double(kept.size() + 1)}, 1.6}}, 10);
       CHECK_FALSE(loop.setMotion(next, 7));  // one waits already
     }
     loop.tick((k + 1) * ServoLoop::kPeriod_ns, std::nullopt, nullptr);
@@ -225,7 +225,7 @@ TEST_CASE(
       std::vector<Sphere> to = open;
       for (std::size_t i = 0; i < to.size(); ++i)
         to[i].centre_A += (shut[i].centre_A - open[i].centre_A) * (double(k) / 60.0);
-      Frame next = last ? after(*last, to) : frame(open, to);
+      Frame next = last ? movingSceneAfter(*last, to) : frame(open, to);
       for (int tick = 1; tick <= 33; ++tick) {
         const ServoSample s = hand.tick(1.0, {next.get(), tick / 33.0});
         REQUIRE(finite(s.force.N));

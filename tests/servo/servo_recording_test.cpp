@@ -26,11 +26,11 @@ using namespace moltact;
 
 namespace {
 
-std::unique_ptr<Tracker> newTracker() {
+std::unique_ptr<Tracker> servoRecordingNewTracker() {
   return methods().front().make(test::makeScene(scenes::cluster(20, 3).spheres), kWaterProbe_A);
 }
 
-std::filesystem::path scratch(const char* name) {
+std::filesystem::path servoRecordingScratch(const char* name) {
   return std::filesystem::temp_directory_path() / ("moltact_recording_" + std::to_string(getpid()) + name);
 }
 
@@ -40,7 +40,7 @@ std::vector<RecordedTick> record(const std::filesystem::path& file) {
   SimulatedDevice stylus;
   DeviceSwitch devices(mouse, &stylus);
   ServoStep step;
-  const auto tracker = newTracker();
+  const auto tracker = servoRecordingNewTracker();
   ServoSettings settings;
   auto writer = ServoRecordingWriter::create(file, true);
   REQUIRE(writer);
@@ -79,7 +79,7 @@ void write(const std::filesystem::path& file, const std::string& bytes) {
 TEST_CASE(
     "20 000 recorded ticks, unplugged and stopped on the way, come back whole and give the same forces to the last "
     "bit") {
-  const auto file = scratch("whole");
+  const auto file = servoRecordingScratch("whole");
   const std::vector<RecordedTick> ticks = record(file);
   const auto recording = readServoRecording(file);
   REQUIRE(recording);
@@ -96,7 +96,7 @@ TEST_CASE(
     greatest = std::max(greatest, glm::length(ticks[k].force.N));
   }
   CHECK(greatest > 0.8);
-  const auto tracker = newTracker();
+  const auto tracker = servoRecordingNewTracker();
   const ReplayResult again = replay(*recording, tracker.get());
   CHECK(again.ticks == ticks.size());
   CHECK_FALSE(again.first_difference);
@@ -108,7 +108,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a recording cut at any of 200 places keeps its whole blocks and says after how many seconds it breaks off") {
-  const auto file = scratch("cut");
+  const auto file = servoRecordingScratch("cut");
   record(file);
   const std::string whole = bytesOf(file);
   for (int k = 0; k < 200; ++k) {
@@ -129,7 +129,7 @@ TEST_CASE("a recording cut at any of 200 places keeps its whole blocks and says 
 TEST_CASE(
     "a recording with any of 200 bytes changed gives what is before the damage, a problem, or the same ticks; and no "
     "crash") {
-  const auto file = scratch("damaged");
+  const auto file = servoRecordingScratch("damaged");
   record(file);
   const std::string whole = bytesOf(file);
   for (int k = 0; k < 200; ++k) {
@@ -150,13 +150,13 @@ TEST_CASE(
     "3000 recordings with hostile figures and right checksums: each is refused, cut before the figure, or its "
     "forces are finite, its replay differs by a finite force, and the hand that it plays gives finite forces; seed "
     "26") {
-  const auto file = scratch("hostile");
+  const auto file = servoRecordingScratch("hostile");
   {
     MouseDevice mouse;
     SimulatedDevice stylus;
     DeviceSwitch devices(mouse, &stylus);
     ServoStep step;
-    const auto tracker = newTracker();
+    const auto tracker = servoRecordingNewTracker();
     ServoSettings settings;
     auto writer = ServoRecordingWriter::create(file, true);
     REQUIRE(writer);
@@ -238,7 +238,7 @@ TEST_CASE(
       REQUIRE(finite(t.torque_N_mm));
       REQUIRE(std::isfinite(t.settings.stiffness_N_per_mm));
     }
-    const auto tracker = newTracker();
+    const auto tracker = servoRecordingNewTracker();
     const ReplayResult again = replay(*recording, tracker.get());
     CHECK(std::isfinite(again.max_difference_N));
     CHECK(std::isfinite(again.max_difference_N_mm));
@@ -261,7 +261,7 @@ TEST_CASE(
 }
 
 TEST_CASE("files that are not recordings are reported: an empty file, a text, a folder, a missing file") {
-  const auto file = scratch("none");
+  const auto file = servoRecordingScratch("none");
   for (const std::string& bytes :
        {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC2"), std::string(100, '\xff')}) {
     write(file, bytes);
@@ -277,7 +277,7 @@ TEST_CASE("files that are not recordings are reported: an empty file, a text, a 
 }
 
 TEST_CASE("a recorded hand played back as a device goes the same way and stays at its end") {
-  const auto file = scratch("play");
+  const auto file = servoRecordingScratch("play");
   const std::vector<RecordedTick> ticks = record(file);
   const auto recording = readServoRecording(file);
   REQUIRE(recording);
@@ -293,7 +293,7 @@ TEST_CASE("what the haptic thread itself records in 1500 ticks of its own clock 
   ServoThread servo(mouse);
   servo.setDevice(std::make_unique<SimulatedDevice>());
   servo.record(true);
-  servo.loop().setInteraction(newTracker());
+  servo.loop().setInteraction(servoRecordingNewTracker());
   ServoRecording recording;
   recording.start.emplace();
   while (recording.ticks.size() < 1500) {
@@ -301,13 +301,13 @@ TEST_CASE("what the haptic thread itself records in 1500 ticks of its own clock 
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   CHECK(servo.loop().lostOfRecording() == 0);
-  const auto tracker = newTracker();
+  const auto tracker = servoRecordingNewTracker();
   CHECK_FALSE(replay(recording, tracker.get()).first_difference);
 }
 
 TEST_CASE(
     "a recording that is there stays as it is, unless it may be replaced; then the file holds the new one alone") {
-  const auto file = scratch("there");
+  const auto file = servoRecordingScratch("there");
   write(file, std::string(100'000, 'x'));
   const auto refused = ServoRecordingWriter::create(file);
   REQUIRE_FALSE(refused);
@@ -330,7 +330,7 @@ TEST_CASE(
 }
 
 TEST_CASE("every figure of a device that comes in the middle is in the recording") {
-  const auto file = scratch("figures");
+  const auto file = servoRecordingScratch("figures");
   DeviceSpecs figures;
   figures.workspace_mm = Vec3(1, 2, 3);
   figures.dof_in = 4, figures.dof_out = 5;
@@ -356,7 +356,7 @@ TEST_CASE("every figure of a device that comes in the middle is in the recording
 }
 
 TEST_CASE("a recording of the version before, which knew places alone, is read as it was, but for the state") {
-  const auto file = scratch("before");
+  const auto file = servoRecordingScratch("before");
   auto writer = ServoRecordingWriter::create(file, true);
   REQUIRE(writer);
   CHECK_FALSE(writer->begin({{"method", "exact"}}, ServoStep()));
@@ -394,7 +394,7 @@ TEST_CASE(
     "friction that a slider changes is in the ticks: 4000 ticks of a walk give the same forces to the last bit; "
     "without it they "
     "part") {
-  const auto file = scratch("friction");
+  const auto file = servoRecordingScratch("friction");
   const scenes::Scene scene = scenes::cluster(20, 3);
   InteractionInput input{.spheres = test::makeScene(scene.spheres)};
   ServoSettings settings;
@@ -439,7 +439,7 @@ TEST_CASE(
     "every touch setting that needs no rebuild, changed alone, passes through the servo settings and through a "
     "recording "
     "unchanged") {
-  const auto file = scratch("live");
+  const auto file = servoRecordingScratch("live");
   for (const TouchProperty& p : touchProperties()) {
     if (p.requires_rebuild) continue;
     CAPTURE(std::string(p.key));

@@ -25,9 +25,9 @@ std::unique_ptr<Tracker> newTracker() {
 }
 
 // A hand that shakes in and out of the cluster, with faults of the device and of the clock in between.
-class Hand {
+class StepStateHand {
  public:
-  explicit Hand(unsigned seed) : random_(seed) {}
+  explicit StepStateHand(unsigned seed) : random_(seed) {}
   ServoSample tick(ServoStep& step, Tracker* tracker) {
     const auto chance = [&](double p) { return std::uniform_real_distribution(0.0, 1.0)(random_) < p; };
     for (int k = 1; k < 3; ++k)
@@ -99,7 +99,7 @@ TEST_CASE(
     "a rough hand") {
   const auto tracker = newTracker();
   ServoStep step;
-  Hand hand(7);
+  StepStateHand hand(7);
   double peak_N = 0;
   for (int k = 0; k < 40; ++k) {
     CAPTURE(k);
@@ -111,7 +111,7 @@ TEST_CASE(
     CHECK(stateText(*read) == text);
     ServoStep one = step, other = *read;
     const auto for_one = newTracker(), for_other = newTracker();
-    Hand hand_one = hand, hand_other = hand;
+    StepStateHand hand_one = hand, hand_other = hand;
     for (int i = 0; i < 100; ++i) {
       const ForceN a = hand_one.tick(one, for_one.get()).force, b = hand_other.tick(other, for_other.get()).force;
       REQUIRE(a.N == b.N);

@@ -20,10 +20,10 @@ using namespace moltact;
 
 namespace {
 
-constexpr double kRate = kSamples_per_s;
+constexpr double kTouchSynthRate = kSamples_per_s;
 
 std::vector<float> sounding(TouchSynth& synth, double for_s) {
-  std::vector<float> out(std::size_t(std::lround(for_s * kRate)));
+  std::vector<float> out(std::size_t(std::lround(for_s * kTouchSynthRate)));
   synth.render(out);
   return out;
 }
@@ -42,7 +42,7 @@ double frequencyOf(const std::vector<float>& s) {
     if (first < 0) first = last;
     ++periods;
   }
-  return periods > 0 ? kRate * periods / (last - first) : 0.0;
+  return periods > 0 ? kTouchSynthRate * periods / (last - first) : 0.0;
 }
 
 // The amplitude of one frequency: correlation under a Hann window, which keeps other notes out.
@@ -51,7 +51,7 @@ double amplitudeAt(const std::vector<float>& s, double hertz) {
   double weight = 0;
   for (std::size_t k = 0; k < s.size(); ++k) {
     const double w = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * double(k) / double(s.size()));
-    sum += w * double(s[k]) * std::polar(1.0, -2 * std::numbers::pi * hertz * double(k) / kRate);
+    sum += w * double(s[k]) * std::polar(1.0, -2 * std::numbers::pi * hertz * double(k) / kTouchSynthRate);
     weight += w;
   }
   return 2 * std::abs(sum) / weight;
@@ -78,7 +78,9 @@ double sharpest(const std::vector<float>& s) {
   return most;
 }
 
-double bend(double amplitude, double hertz) { return amplitude * std::pow(2 * std::numbers::pi * hertz / kRate, 2); }
+double bend(double amplitude, double hertz) {
+  return amplitude * std::pow(2 * std::numbers::pi * hertz / kTouchSynthRate, 2);
+}
 
 }  // namespace
 
@@ -229,7 +231,7 @@ TEST_CASE("a probe that slides scrapes: noise within its limit, louder the faste
     sounding(synth, 0.5);
     const std::vector<float> s = sounding(synth, 1.0);
     double sine = 0, cosine = 0;
-    const auto turn = [](std::size_t k) { return 2 * std::numbers::pi * kMinPitch_Hz * double(k) / kRate; };
+    const auto turn = [](std::size_t k) { return 2 * std::numbers::pi * kMinPitch_Hz * double(k) / kTouchSynthRate; };
     for (std::size_t k = 0; k < s.size(); ++k) {
       sine += 2.0 * double(s[k]) * std::sin(turn(k)) / double(s.size());
       cosine += 2.0 * double(s[k]) * std::cos(turn(k)) / double(s.size());
@@ -259,7 +261,7 @@ TEST_CASE(
   const auto levelAt = [](const std::vector<float>& s, double hertz) {
     double sine = 0, cosine = 0;
     for (std::size_t k = 0; k < s.size(); ++k) {
-      const double turn = 2 * std::numbers::pi * hertz * double(k) / kRate;
+      const double turn = 2 * std::numbers::pi * hertz * double(k) / kTouchSynthRate;
       sine += 2.0 * double(s[k]) * std::sin(turn) / double(s.size());
       cosine += 2.0 * double(s[k]) * std::cos(turn) / double(s.size());
     }
@@ -306,7 +308,8 @@ TEST_CASE(
   const double tone = pitch_Hz(0.2);
   // A note rises no faster than its limit in the attack time; a blip in 2 ms: that is the most that a slope can change
   // by.
-  const double slopes = kNoteLevel / (0.008 * kRate) + (kKnockLevel + kClickLevel) / (0.002 * kRate);
+  const double slopes =
+      kNoteLevel / (0.008 * kTouchSynthRate) + (kKnockLevel + kClickLevel) / (0.002 * kTouchSynthRate);
   const double bound = bend(kNoteLevel, tone) + bend(kNoteLevel, 1.5 * tone) + bend(kKnockLevel, kKnock_Hz) +
                        bend(kClickLevel, kClick_Hz) + slopes;
   CHECK(bound < 0.03);

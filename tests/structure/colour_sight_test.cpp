@@ -16,7 +16,7 @@ double least(const Rgb8& a, const Rgb8& b) {
   return out;
 }
 
-Rgb8 named(std::string_view name) { return *parseColour(name); }
+Rgb8 colourSightNamed(std::string_view name) { return *parseColour(name); }
 
 }  // namespace
 
@@ -32,9 +32,9 @@ TEST_CASE(
 
 TEST_CASE("named colours that are nearer than 10 by one simulation of sight are nearer than 18 by the other") {
   // A colour-blind eye takes green for red, and for normal sight the two are far apart.
-  CHECK(test::seenDistance(test::Sight::Normal, named("green"), named("red")) > 50.0);
-  CHECK(minSeenDistance(named("green"), named("red")) < 10.0);
-  CHECK(least(named("green"), named("red")) < 10.0);
+  CHECK(test::seenDistance(test::Sight::Normal, colourSightNamed("green"), colourSightNamed("red")) > 50.0);
+  CHECK(minSeenDistance(colourSightNamed("green"), colourSightNamed("red")) < 10.0);
+  CHECK(least(colourSightNamed("green"), colourSightNamed("red")) < 10.0);
   for (const NamedColour& a : namedColours())
     for (const NamedColour& b : namedColours()) {
       CAPTURE(a.name);
@@ -47,9 +47,9 @@ TEST_CASE("named colours that are nearer than 10 by one simulation of sight are 
 TEST_CASE(
     "colours that are distinct stay unchanged; green and red are shaded until they differ by 10 for "
     "every kind of colour vision") {
-  const Rgb8 apart[] = {named("sky"), named("yellow")};
-  CHECK(shadesApart(apart, {}, {}) == std::vector<Rgb8>{named("sky"), named("yellow")});
-  const Rgb8 near[] = {named("green"), named("red")};
+  const Rgb8 apart[] = {colourSightNamed("sky"), colourSightNamed("yellow")};
+  CHECK(shadesApart(apart, {}, {}) == std::vector<Rgb8>{colourSightNamed("sky"), colourSightNamed("yellow")});
+  const Rgb8 near[] = {colourSightNamed("green"), colourSightNamed("red")};
   const std::vector<Rgb8> shaded = shadesApart(near, {}, {});
   REQUIRE(shaded.size() == 2);
   CHECK(least(near[0], near[1]) < 10.0);
@@ -73,7 +73,7 @@ TEST_CASE("of 40 marks none is lost, and ten of one colour become at least three
   std::vector<Rgb8> many;
   for (int k = 0; k < 40; ++k) many.push_back(namedColours()[std::size_t(k) % namedColours().size()].colour);
   CHECK(shadesApart(many, {}, {}).size() == 40);
-  const std::vector<Rgb8> ten(10, named("blue"));
+  const std::vector<Rgb8> ten(10, colourSightNamed("blue"));
   std::vector<Rgb8> shades = shadesApart(ten, {}, {});
   std::sort(shades.begin(), shades.end());
   CHECK(std::unique(shades.begin(), shades.end()) - shades.begin() >= 3);

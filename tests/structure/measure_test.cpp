@@ -14,7 +14,7 @@ namespace {
 
 PointA at(double x, double y, double z) { return {Vec3(x, y, z)}; }
 
-PointA named(const Molecule& m, int residue, const char* name) {
+PointA measureNamed(const Molecule& m, int residue, const char* name) {
   for (const PlacedAtom& a : m.placedAtoms())
     if (m.residues[a.residue].number == residue && a.nameText() == name) return a.position;
   FAIL("no such atom");
@@ -53,10 +53,12 @@ TEST_CASE("in the helix of ubiquitin phi and psi of Lys 27 to Lys 29 lie within 
   const Molecule m = libraryMolecule("1ubq.pdb");
   for (int r = 27; r <= 29; ++r) {
     CAPTURE(r);
-    CHECK(std::abs(torsion_deg(named(m, r - 1, "C"), named(m, r, "N"), named(m, r, "CA"), named(m, r, "C")) + 62.0) <
-          20.0);
-    CHECK(std::abs(torsion_deg(named(m, r, "N"), named(m, r, "CA"), named(m, r, "C"), named(m, r + 1, "N")) + 42.0) <
-          20.0);
+    CHECK(std::abs(torsion_deg(measureNamed(m, r - 1, "C"), measureNamed(m, r, "N"), measureNamed(m, r, "CA"),
+                               measureNamed(m, r, "C")) +
+                   62.0) < 20.0);
+    CHECK(std::abs(torsion_deg(measureNamed(m, r, "N"), measureNamed(m, r, "CA"), measureNamed(m, r, "C"),
+                               measureNamed(m, r + 1, "N")) +
+                   42.0) < 20.0);
   }
 }
 

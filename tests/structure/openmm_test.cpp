@@ -31,7 +31,7 @@ constexpr Complex kPairs[] = {
      "bem-binding-energy/test_proteins/1d30_monomer2.pqr"},
 };
 
-std::vector<PairAtom> atomsOf(const char* file) {
+std::vector<PairAtom> openmmAtomsOf(const char* file) {
   const auto molecule = readMolecule(kComplexes / file, {.waters = true});
   if (!molecule) FAIL(molecule.problem().text());
   CHECK(molecule->charges_e.size() == molecule->atoms.size());
@@ -74,7 +74,7 @@ TEST_CASE(
   for (const Complex& pair : kPairs) {
     const std::string name = pair.name;
     CAPTURE(name);
-    const std::vector<PairAtom> scene = atomsOf(pair.scene), body = atomsOf(pair.body);
+    const std::vector<PairAtom> scene = openmmAtomsOf(pair.scene), body = openmmAtomsOf(pair.body);
     const auto in = (folder->path() / "in").string(), out = (folder->path() / "out").string();
     std::ofstream file(in);
     file.precision(17);

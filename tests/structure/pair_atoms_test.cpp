@@ -16,9 +16,9 @@ using namespace moltact;
 
 namespace {
 
-using Kind = PairAtoms::Note::Kind;
+using PairAtomsKind = PairAtoms::Note::Kind;
 
-std::size_t count(const PairAtoms& a, Kind kind) {
+std::size_t count(const PairAtoms& a, PairAtomsKind kind) {
   return std::size_t(std::count_if(a.notes.begin(), a.notes.end(), [&](const auto& n) { return n.kind == kind; }));
 }
 
@@ -32,13 +32,13 @@ TEST_CASE("1UBQ, 1HPV and 2HHB have net charges of 0, 4 and 2, and every atom of
   // The protein alone; each haem has 2 charges less: its iron 2, its ring -2, its propionates -1 each.
   CHECK(h.net_charge_e == doctest::Approx(2.0 - 4 * 2.0).epsilon(0.001));
   for (const PairAtoms* a : {&u, &p, &h}) {
-    CHECK(count(*a, Kind::OtherAtoms) == 0);
-    CHECK(count(*a, Kind::MissingAtoms) == 0);
+    CHECK(count(*a, PairAtomsKind::OtherAtoms) == 0);
+    CHECK(count(*a, PairAtomsKind::MissingAtoms) == 0);
   }
-  CHECK(count(u, Kind::NoTemplate) == 0);
-  CHECK(count(p, Kind::Ligand) == 1);  // amprenavir
-  CHECK(count(u, Kind::Terminus) == 2);
-  CHECK(count(p, Kind::Terminus) == 4);
+  CHECK(count(u, PairAtomsKind::NoTemplate) == 0);
+  CHECK(count(p, PairAtomsKind::Ligand) == 1);  // amprenavir
+  CHECK(count(u, PairAtomsKind::Terminus) == 2);
+  CHECK(count(p, PairAtomsKind::Terminus) == 4);
   // Polar hydrogens: 332 of the protein's 1516 heavy atoms, 4 of amprenavir.
   CHECK(p.placed_hydrogens == 336);
   CHECK(p.atoms.size() == p.carrier.size());
@@ -88,7 +88,7 @@ TEST_CASE("the proton of HIS 69 of HIV protease is on ND1, in both chains") {
   const Molecule m = test::libraryMolecule("1hpv.pdb");
   int seen = 0;
   for (const auto& n : pairAtoms(m).notes) {
-    if (n.kind != Kind::Histidine) continue;
+    if (n.kind != PairAtomsKind::Histidine) continue;
     ++seen;
     CHECK(n.template_name == "HID");
     CHECK(m.residues[n.residue].number % 100 == 69);
@@ -100,7 +100,7 @@ TEST_CASE("in haemoglobin the histidine on an iron has no proton there") {
   const Molecule m = test::libraryMolecule("2hhb.pdb");
   int bound = 0;
   for (const auto& n : pairAtoms(m).notes) {
-    if (n.kind != Kind::Histidine) continue;
+    if (n.kind != PairAtomsKind::Histidine) continue;
     const int number = m.residues[n.residue].number;
     const bool alpha = m.residues[n.residue].chain % 2 == 0;
     if (number != (alpha ? 87 : 92)) continue;
@@ -182,14 +182,14 @@ TEST_CASE(
   };
   const PairAtoms off = pairAtoms(pqr("0.9"));
   CHECK(off.net_charge_e == doctest::Approx(1.4));
-  REQUIRE(count(off, Kind::FractionalCharge) == 1);
+  REQUIRE(count(off, PairAtomsKind::FractionalCharge) == 1);
   for (const auto& n : off.notes)
-    if (n.kind == Kind::FractionalCharge) {
+    if (n.kind == PairAtomsKind::FractionalCharge) {
       CHECK(n.residue == 1);
       CHECK(n.residue_charge_e == doctest::Approx(1.4));
     }
-  CHECK(count(pairAtoms(pqr("0.55")), Kind::FractionalCharge) == 0);
-  CHECK(count(pairAtoms(pqr("0.5")), Kind::FractionalCharge) == 0);
+  CHECK(count(pairAtoms(pqr("0.55")), PairAtomsKind::FractionalCharge) == 0);
+  CHECK(count(pairAtoms(pqr("0.5")), PairAtomsKind::FractionalCharge) == 0);
 }
 
 TEST_CASE("an atom of an unknown element is noted by its residue; its charge is 0, or the file's") {
@@ -197,17 +197,17 @@ TEST_CASE("an atom of an unknown element is noted by its residue; its charge is 
       "ATOM      1  C1  LIG A   7       1.000   0.000   0.000  1.00  0.00    +0.250 C \n"
       "ATOM      2  Q1  LIG A   7       2.500   0.000   0.000  1.00  0.00    -0.250 QQ\n";
   const PairAtoms with = pairAtoms(test::moleculeOf(pdbqt, "x.pdbqt"));
-  CHECK(count(with, Kind::UnknownElement) == 1);
+  CHECK(count(with, PairAtomsKind::UnknownElement) == 1);
   CHECK(with.atoms[1].charge_e == -0.25f);
   const std::string pdb =
       "HETATM    1  C1  LIG A   7       1.000   0.000   0.000  1.00  0.00           C\n"
       "HETATM    2 QQ1  LIG A   7       2.500   0.000   0.000  1.00  0.00          QQ\n";
   const Molecule m = test::moleculeOf(pdb, "x.pdb");
   const PairAtoms without = pairAtoms(m);
-  REQUIRE(count(without, Kind::UnknownElement) == 1);
+  REQUIRE(count(without, PairAtomsKind::UnknownElement) == 1);
   CHECK(without.atoms[1].charge_e == 0.0f);
   CHECK(without.atoms[1].half_minimum_A == float(m.spheres[1].radius_A));
-  CHECK(count(pairAtoms(test::libraryMolecule("2hhb.pdb")), Kind::UnknownElement) == 0);
+  CHECK(count(pairAtoms(test::libraryMolecule("2hhb.pdb")), PairAtomsKind::UnknownElement) == 0);
 }
 
 TEST_CASE(
@@ -233,10 +233,10 @@ TEST_CASE("two atoms in one place are noted, and their forces on a third are fin
       "ATOM 4 O HOH B 2 9 0 0 -0.3 1.8\n",
       "x.pqr", {.waters = true});
   const PairAtoms a = pairAtoms(m);
-  REQUIRE(count(a, Kind::SamePlace) == 1);
+  REQUIRE(count(a, PairAtomsKind::SamePlace) == 1);
   for (const auto& n : a.notes)
-    if (n.kind == Kind::SamePlace) CHECK(n.residue == 0);
-  CHECK(count(pairAtoms(test::libraryMolecule("1hpv.pdb")), Kind::SamePlace) == 0);
+    if (n.kind == PairAtomsKind::SamePlace) CHECK(n.residue == 0);
+  CHECK(count(pairAtoms(test::libraryMolecule("1hpv.pdb")), PairAtomsKind::SamePlace) == 0);
   std::vector<Sphere> places;
   for (const PairAtom& atom : a.atoms) places.push_back({atom.centre_A, 1.0});
   for (const double wall : {double(INFINITY), 1.0}) {

@@ -40,7 +40,7 @@ std::string limitOf(Task& task) {
   return task.sentence();
 }
 
-std::string reported(const std::vector<std::uint32_t>& untouchable) {
+std::string fitReported(const std::vector<std::uint32_t>& untouchable) {
   std::vector<Problem> problems;
   const TaskSpec spec = specOf("fit", kKeys, problems);
   REQUIRE(problems.empty());
@@ -56,7 +56,7 @@ TEST_CASE(
   REQUIRE(window_A == doctest::Approx(0.7495).epsilon(1e-3));
   const auto t = task("fit", kKeys, cage());
   CHECK(limitOf(*t) == "That was the last try. The tracker finds 0.7 Å as the limit.");
-  CHECK(reported({}).empty());
+  CHECK(fitReported({}).empty());
 }
 
 TEST_CASE("atoms that the hand goes through keep no probe out: neither in the task nor for the author") {
@@ -64,5 +64,5 @@ TEST_CASE("atoms that the hand goes through keep no probe out: neither in the ta
   const auto t = task("fit", kKeys, cage());
   t->leaveOut(ways);
   CHECK(limitOf(*t) == "That was the last try. The tracker finds 4.0 Å as the limit.");
-  CHECK(reported(ways) == "every probe up to 4.00 Å gets there");
+  CHECK(fitReported(ways) == "every probe up to 4.00 Å gets there");
 }

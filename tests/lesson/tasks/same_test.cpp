@@ -10,15 +10,15 @@ namespace {
 const Keys kProbes{{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "8"}, {"for", "0.2 s"}};
 
 /// The true values of one pair, which no student can see.
-struct Pair {
+struct SamePair {
   bool differ = false;
   std::string order;
 };
 
 /// Feels one pair; says "different" as `say` makes of the truth. Gives the truth.
 template <class Say>
-Pair feelPair(Task& task, Hand& hand, Say say) {
-  Pair pair;
+SamePair feelPair(Task& task, Hand& hand, Say say) {
+  SamePair pair;
   bool other[2] = {};
   for (int k = 0; k < 2; ++k) {
     REQUIRE(task.stage().dark);
@@ -56,7 +56,7 @@ TEST_CASE(
     orders.emplace_back();
     for (int k = 0; k < 8; ++k) {
       CHECK_FALSE(t->done());
-      const Pair p = feelPair(*t, hand, [](bool d) { return d; });
+      const SamePair p = feelPair(*t, hand, [](bool d) { return d; });
       differ += p.differ;
       orders.back() += p.order + " ";
     }
@@ -80,7 +80,7 @@ TEST_CASE("each pair is a coin for itself: over 500 draws of 8 pairs half differ
     Hand hand{*t, 0.0, 0.01};
     bool last = false;
     for (int pair = 0; pair < 8; ++pair) {
-      const Pair p = feelPair(*t, hand, [](bool d) { return d; });
+      const SamePair p = feelPair(*t, hand, [](bool d) { return d; });
       differ += p.differ;
       alike += pair > 0 && p.differ == last;
       last = p.differ;
@@ -121,7 +121,7 @@ TEST_CASE(
   int differ = 0, alike = 0;
   for (int k = 0; k < 8; ++k) {
     CHECK_FALSE(t->done());
-    const Pair p = feelPair(*t, hand, [](bool d) { return !d; });
+    const SamePair p = feelPair(*t, hand, [](bool d) { return !d; });
     (p.differ ? differ : alike) += 1;
     CHECK(t->trials().right.empty());
   }
@@ -170,7 +170,7 @@ TEST_CASE("each answer is judged at once, unless the author says no") {
     keys.emplace_back("tell", tell ? "yes" : "no");
     auto t = task("same", keys);
     Hand hand{*t};
-    const Pair p = feelPair(*t, hand, [](bool d) { return !d; });
+    const SamePair p = feelPair(*t, hand, [](bool d) { return !d; });
     const std::string reported = p.differ ? "No, they were different. " : "No, they were the same. ";
     CHECK(t->sentence() == (tell ? reported : "") + "Touch the first of pair 2 of 8.");
     CHECK(t->trials().right.size() == (tell ? 1 : 0));
