@@ -30,6 +30,9 @@ inline constexpr int kMaxPartialCharge_e = 100;
 /// Reads a partial charge. Returns the error's text, or an empty one if `charge_e` was set.
 std::string partialChargeFault(std::string_view text, double& charge_e);
 
+/// A file of bonds may list so many for each atom, on average.
+inline constexpr std::size_t kMaxBondsAnAtom = 8;
+
 /// One atom of the file. The texts need to be valid only during the call that receives them.
 struct ParsedAtom {
   std::string_view name;         ///< "CA"

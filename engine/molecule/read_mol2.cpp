@@ -15,7 +15,7 @@ namespace moltact {
 namespace {
 
 constexpr std::string_view kMol2Residue = "UNL", kMol2Chain = "A";
-constexpr std::size_t kMaxBondsAnAtom = 8, kMaxMol2Atoms = 1'000'000;
+constexpr std::size_t kMaxMol2Atoms = 1'000'000;
 constexpr const char* kMol2Remedy =
     N_("write the file anew with the program that made it; an atom is number, name, x, y, z, type, and where they are "
        "known substructure number, its name and charge");

@@ -16,7 +16,7 @@ namespace {
 
 // A residue of its own, with the Protein Data Bank's code for an unknown ligand.
 constexpr std::string_view kSdfResidue = "UNL", kSdfChain = "A";
-constexpr std::size_t kMaxBondsAnAtom = 8, kMaxSdfAtoms = 1'000'000;
+constexpr std::size_t kMaxSdfAtoms = 1'000'000;
 constexpr const char* kSdfRemedy =
     N_("take the file again from its source, or write it anew with the program that made it");
 

@@ -18,7 +18,7 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kMaxEntries = 9;  // longer legends are truncated
-constexpr double kLine_px = 16.0, kGap_px = 5.0, kPadding_px = 10.0, kDot_px = 5.5, kMargin_px = 14.0;
+constexpr double kLegendLine_px = 16.0, kGap_px = 5.0, kPadding_px = 10.0, kDot_px = 5.5, kMargin_px = 14.0;
 
 // How an atom appears in the picture.
 enum Seen : std::uint8_t { kNot, kInRibbon, kItself };
@@ -131,13 +131,13 @@ const std::vector<LegendEntry>& LegendMemory::of(std::shared_ptr<const Molecule>
 }
 
 bool paintLegend(Picture& picture, const std::vector<LegendEntry>& entries, const Theme& theme, double unit_px) {
-  const TextFace face(kLine_px * unit_px);
+  const TextFace face(kLegendLine_px * unit_px);
   if (!face.good()) return false;
   if (entries.empty()) return true;
   double wide = 0.0;
   for (const LegendEntry& e : entries) wide = std::max(wide, face.size(charactersOf(e.name)).first);
   const double pad = kPadding_px * unit_px, dot = kDot_px * unit_px, indent = 2 * dot + 8 * unit_px,
-               line = (kLine_px + kGap_px) * unit_px;
+               line = (kLegendLine_px + kGap_px) * unit_px;
   const glm::dvec2 low(kMargin_px * unit_px),
       high = low + glm::dvec2(indent + wide + 2 * pad, line * double(entries.size()) - kGap_px * unit_px + 2 * pad);
   const LabelColours colours = labelColours(theme);
@@ -145,7 +145,7 @@ bool paintLegend(Picture& picture, const std::vector<LegendEntry>& entries, cons
   paint.box(low, high, 8 * unit_px, colours.ground, 0.86);
   double y = low.y + pad;
   for (const LegendEntry& e : entries) {
-    const glm::dvec2 centre{low.x + pad + dot, y + 0.5 * kLine_px * unit_px};
+    const glm::dvec2 centre{low.x + pad + dot, y + 0.5 * kLegendLine_px * unit_px};
     paint.disc(centre, dot + std::max(1.0, 0.8 * unit_px), colours.text, 0.45);
     paint.disc(centre, dot, e.colour, 1.0);
     face.draw(charactersOf(e.name), low.x + pad + indent, y,
