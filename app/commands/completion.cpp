@@ -27,7 +27,7 @@ std::vector<std::string> moleculeIds() {
   return out;
 }
 
-std::vector<std::string> languageCodes() {
+std::vector<std::string> knownLanguages() {
   std::vector<std::string> out;
   for (const Language& l : languages(translationsFolder())) out.push_back(l.code);
   return out;
@@ -43,7 +43,7 @@ Values valuesOf(const CLI::Option& option) {
   Values out{choicesOf(option)};
   const std::string type = option.get_type_name();
   if (type == kMoleculeType) out.words = moleculeIds();
-  if (type == kLanguageType) out.words = languageCodes();
+  if (type == kLanguageType) out.words = knownLanguages();
   if (type == kFileType || type == kMoleculeType || type == kFilesOrFoldersType) out.files = "file";
   if (type == kFolderType) out.files = "directory";
   return out;
