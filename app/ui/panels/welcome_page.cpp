@@ -20,7 +20,7 @@
 namespace moltact {
 namespace {
 
-constexpr float kWidest = 1160.0f, kLessonWidth = 262.0f, kMoleculeWidth = 178.0f, kGap = 18.0f;  // at 96 dpi
+constexpr float kWidest = 1160.0f, kLessonWidth = 262.0f, kMoleculeWidth = 178.0f, kCardGap = 18.0f;  // at 96 dpi
 
 struct CardText {
   std::string name, title, line, tip;
@@ -120,7 +120,7 @@ bool drawCard(Grid& grid, const CardText& text, Find find, float width, bool abo
 // Lays cards out in rows; draw(k, width) draws card k.
 template <class Draw>
 void rows(Grid& grid, std::size_t count, float card_width, Draw draw) {
-  const float gap = look().px(kGap), left = ImGui::GetCursorPosX();
+  const float gap = look().px(kCardGap), left = ImGui::GetCursorPosX();
   const std::size_t columns = std::max<std::size_t>(1, std::size_t((grid.width + gap) / (look().tx(card_width) + gap)));
   const float width = std::floor((grid.width - gap * float(columns - 1)) / float(columns));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kButtons = std::extent_v<decltype(ImGuiIO::MouseDown)>;
 
 // Keys that produce a character.
-std::bitset<kKeyCount> writingKeys() {
+std::bitset<kKeyCount> typingKeys() {
   std::bitset<kKeyCount> out;
   out.set(indexOf(ImGuiKey_Space));
   for (char c = '0'; c <= '9'; ++c) out.set(indexOf(keyOf(c)));
@@ -20,7 +20,7 @@ std::bitset<kKeyCount> writingKeys() {
 }
 
 bool writes(ImGuiKey key) {
-  static const std::bitset<kKeyCount> all = writingKeys();
+  static const std::bitset<kKeyCount> all = typingKeys();
   return all[indexOf(key)];
 }
 
