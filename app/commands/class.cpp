@@ -62,7 +62,8 @@ void tell(const LiveClassNews& news, const LiveClassOptions& options) {
   }
   out() << '\n';
   if (!news.report.empty()) out() << trf("Report: {0}", news.report.string()) << '\n';
-  if (!news.ended) out() << trf("To go on with this class: moltact class --folder {0}", options.folder.string()) << '\n';
+  if (!news.ended)
+    out() << trf("To go on with this class: moltact class --folder {0}", options.folder.string()) << '\n';
 }
 
 void run(const ClassArguments& arguments) {

@@ -13,15 +13,16 @@ namespace {
 
 std::vector<std::string> animalNames() {
   // Animals as names of students, separated by comma and blank. Each must be singular, friendly and different.
-  const std::string_view all =
-      tr("Otter, Badger, Hedgehog, Squirrel, Beaver, Lynx, Marten, Hare, Fox, Deer, Ibex, Marmot, Dormouse, Mole, Shrew, "
-         "Seal, Dolphin, Whale, Penguin, Puffin, Gannet, Heron, Stork, Crane, Swan, Kingfisher, Woodpecker, Owl, Falcon, "
-         "Kestrel, Raven, Jay, Robin, Wren, Swift, Swallow, Lark, Finch, Plover, Ibis, Flamingo, Pelican, Toucan, Macaw, "
-         "Tortoise, Gecko, Iguana, Chameleon, Newt, Frog, Salamander, Axolotl, Salmon, Trout, Pike, Perch, Ray, Seahorse, "
-         "Octopus, Squid, Nautilus, Crab, Lobster, Mussel, Starfish, Coral, Bee, Bumblebee, Ladybird, Dragonfly, Cricket, "
-         "Firefly, Butterfly, Moth, Beetle, Ant, Panda, Koala, Wombat, Kangaroo, Wallaby, Platypus, Echidna, Lemur, Gibbon, "
-         "Tapir, Okapi, Giraffe, Zebra, Antelope, Gazelle, Bison, Yak, Alpaca, Llama, Camel, Elephant, Rhino, Armadillo, "
-         "Sloth");
+  const std::string_view all = tr(
+      "Otter, Badger, Hedgehog, Squirrel, Beaver, Lynx, Marten, Hare, Fox, Deer, Ibex, Marmot, Dormouse, Mole, Shrew, "
+      "Seal, Dolphin, Whale, Penguin, Puffin, Gannet, Heron, Stork, Crane, Swan, Kingfisher, Woodpecker, Owl, Falcon, "
+      "Kestrel, Raven, Jay, Robin, Wren, Swift, Swallow, Lark, Finch, Plover, Ibis, Flamingo, Pelican, Toucan, Macaw, "
+      "Tortoise, Gecko, Iguana, Chameleon, Newt, Frog, Salamander, Axolotl, Salmon, Trout, Pike, Perch, Ray, Seahorse, "
+      "Octopus, Squid, Nautilus, Crab, Lobster, Mussel, Starfish, Coral, Bee, Bumblebee, Ladybird, Dragonfly, Cricket, "
+      "Firefly, Butterfly, Moth, Beetle, Ant, Panda, Koala, Wombat, Kangaroo, Wallaby, Platypus, Echidna, Lemur, "
+      "Gibbon, "
+      "Tapir, Okapi, Giraffe, Zebra, Antelope, Gazelle, Bison, Yak, Alpaca, Llama, Camel, Elephant, Rhino, Armadillo, "
+      "Sloth");
   std::vector<std::string> out;
   for (std::size_t at = 0; at < all.size();) {
     const std::size_t end = std::min(all.find(',', at), all.size());

@@ -59,7 +59,9 @@ ClassReply jsonReply(int status, const RequestJson& json) {
   return out;
 }
 
-ClassReply nothingHere() { return plainReply(404, tr("There is nothing here. The address of a class has its code at the end.")); }
+ClassReply nothingHere() {
+  return plainReply(404, tr("There is nothing here. The address of a class has its code at the end."));
+}
 ClassReply tooOften() { return plainReply(429, tr("Too many requests; wait a moment.")); }
 
 // JSON that stands in a page between script tags.
@@ -93,10 +95,14 @@ RequestJson objectOf(const std::string& body) {
 Expected<std::unique_ptr<ClassRequests>> ClassRequests::make(ClassSite site, ClassRoom room, ClassStore& store) {
   const std::size_t marker = site.page.find(kPageMarker);
   if (marker == std::string::npos || site.page.find(kClassScript) == std::string::npos)
-    return Problem{{}, 0, 0, tr("it is no page of this version's browser edition, or holds a lesson already"),
+    return Problem{{},
+                   0,
+                   0,
+                   tr("it is no page of this version's browser edition, or holds a lesson already"),
                    tr("name the moltact.html that './run.sh web' made or that came with the program")};
   RequestJson facts{{"code", store.identity().code}, {"language", language()}, {"lessons", RequestJson::array()}};
-  for (const ServedLesson& lesson : site.lessons) facts["lessons"].push_back({{"id", lesson.id}, {"title", lesson.title}});
+  for (const ServedLesson& lesson : site.lessons)
+    facts["lessons"].push_back({{"id", lesson.id}, {"title", lesson.title}});
   std::string page = std::move(site.page);
   page.replace(marker, kPageMarker.size(),
                "<script type=\"application/json\" id=\"class-facts\">" + inPage(facts) + "</script>");
@@ -188,7 +194,8 @@ ClassReply ClassRequests::join(const ClassRequest& request) {
     const std::lock_guard held(lock_);
     if (!joins_.take(request.remote, request.now_s)) return tooOften();
     if (room_.ended()) return jsonReply(410, {{"ended", true}});
-    const auto joined = room_.join(textOf(body, "name").value_or(""), secretText(kStudentToken, site_.random), request.now_s);
+    const auto joined =
+        room_.join(textOf(body, "name").value_or(""), secretText(kStudentToken, site_.random), request.now_s);
     if (!joined) return jsonReply(409, {{"full", true}});
     student_rates_.resize(room_.students().size());
     const LiveStudent& student = room_.students()[joined->student];
@@ -203,7 +210,8 @@ ClassReply ClassRequests::takeLines(const ClassRequest& request) {
   const RequestJson body = objectOf(request.body);
   const auto token = textOf(body, "token");
   std::vector<std::string> lines;
-  if (const auto sent = body.find("lines"); sent != body.end() && sent->is_array() && sent->size() <= kMaxLinesOfRequest)
+  if (const auto sent = body.find("lines");
+      sent != body.end() && sent->is_array() && sent->size() <= kMaxLinesOfRequest)
     for (const RequestJson& line : *sent) {
       if (!line.is_string()) return plainReply(400, tr("The request cannot be read."));
       lines.push_back(line.get<std::string>());
@@ -224,8 +232,7 @@ ClassReply ClassRequests::takeLines(const ClassRequest& request) {
     reply["ended"] = room_.ended();
     for (const auto& [lesson, step] : room_.held()) reply["held"][lesson] = step;
     if (const auto attempt = textOf(body, "attempt")) {
-      ClassRoom::Taken taken =
-          room_.take(*student, *attempt, numberOf(body, "from").value_or(0), lines, request.now_s);
+      ClassRoom::Taken taken = room_.take(*student, *attempt, numberOf(body, "from").value_or(0), lines, request.now_s);
       reply["have"] = taken.have;
       using Refused = ClassRoom::Refused;
       if (taken.refused == Refused::Gap) status = 409;
@@ -296,7 +303,8 @@ Expected<std::string> ClassRequests::writeReport() {
   const ClassReading reading = readClass(folder);
   if (reading.summary.attempts == 0) return std::string();
   const std::string now = utcText(std::chrono::system_clock::now());
-  std::string page = classPage(reading.summary, reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC");
+  std::string page =
+      classPage(reading.summary, reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC");
   if (const auto problem = writeWhole(store_.folder() / "report.html", page, IfThere::Renew)) return *problem;
   return page;
 }

@@ -23,8 +23,8 @@
 namespace moltact {
 
 struct ClassRequest {
-  std::string method;  ///< "GET" or "POST"
-  std::string path;    ///< without the query
+  std::string method;                                  ///< "GET" or "POST"
+  std::string path;                                    ///< without the query
   std::string host, origin, content_type, fetch_site;  ///< headers; empty: not sent
   std::string if_none_match;
   std::string remote;  ///< the other computer's address

@@ -286,7 +286,9 @@ bool ClassRoom::restore(std::string_view record) {
   }
   const Record r = Record::parse(record, nullptr, false);
   if (!r.is_object()) return false;
-  const auto text = [&](const char* key) { return r.contains(key) && r[key].is_string() ? r[key].get<std::string>() : ""; };
+  const auto text = [&](const char* key) {
+    return r.contains(key) && r[key].is_string() ? r[key].get<std::string>() : "";
+  };
   const auto number = [&](const char* key) {
     return r.contains(key) && r[key].is_number_unsigned() ? r[key].get<std::size_t>() : ~std::size_t{0};
   };

@@ -19,11 +19,11 @@ namespace moltact {
 
 inline constexpr std::size_t kMaxStudents = 400;
 inline constexpr std::size_t kMaxAttemptsOfStudent = 40;
-inline constexpr std::size_t kMaxAttemptKey = 100;                           ///< characters
-inline constexpr std::size_t kMaxClassLine = std::size_t{512} << 10;         ///< unit: byte
-inline constexpr std::size_t kMaxBytesOfStudent = std::size_t{64} << 20;     ///< of all attempts; unit: byte
+inline constexpr std::size_t kMaxAttemptKey = 100;                        ///< characters
+inline constexpr std::size_t kMaxClassLine = std::size_t{512} << 10;      ///< unit: byte
+inline constexpr std::size_t kMaxBytesOfStudent = std::size_t{64} << 20;  ///< of all attempts; unit: byte
 inline constexpr double kNotSeen_s = -1e9;
-inline constexpr std::size_t kMaxKeptAnswers = 500, kMaxKeptCurves = 40;     ///< of an attempt, for the teacher's page
+inline constexpr std::size_t kMaxKeptAnswers = 500, kMaxKeptCurves = 40;  ///< of an attempt, for the teacher's page
 
 /// A lesson that the teacher has chosen.
 struct ClassLesson {
@@ -41,13 +41,13 @@ struct LiveAnswer {
 /// An attempt as far as its lines have come. Steps, questions and tasks are numbers from 0, which are the same in every
 /// language of a lesson. Times: second of use.
 struct LiveAttempt {
-  std::string key;            ///< as the student's page names it
-  std::size_t lines = 0;      ///< lines taken, with the header
-  LessonOutline lesson;       ///< as the student reads it; empty before the header
+  std::string key;        ///< as the student's page names it
+  std::size_t lines = 0;  ///< lines taken, with the header
+  LessonOutline lesson;   ///< as the student reads it; empty before the header
   std::optional<std::size_t> step;
   double entered_s = 0.0, now_s = 0.0;
   struct Step {
-    double spent_s = 0.0;     ///< in earlier visits
+    double spent_s = 0.0;  ///< in earlier visits
     bool entered = false;
     std::size_t hints = 0;
     std::vector<char> tasks_done;
@@ -65,9 +65,9 @@ struct LiveAttempt {
 
 struct LiveStudent {
   std::string name, token;
-  double seen_s = 0.0;  ///< of the caller's clock; kNotSeen_s after a restart
-  std::vector<LiveAttempt> attempts;   ///< in the order in which they began
-  std::size_t current = 0;             ///< the one that the last line belongs to
+  double seen_s = 0.0;                ///< of the caller's clock; kNotSeen_s after a restart
+  std::vector<LiveAttempt> attempts;  ///< in the order in which they began
+  std::size_t current = 0;            ///< the one that the last line belongs to
   std::size_t bytes = 0;
 };
 

@@ -22,7 +22,7 @@ constexpr std::size_t kLongestRecord = kMaxClassLine + 1000;
 constexpr std::size_t kOpenAttempts = 200;  // files open at once
 
 std::string identityRecord(const ClassIdentity& of) {
-  return nlohmann::ordered_json{{"kind", "class"}, {"format", 1},  {"code", of.code},   {"teacher", of.teacher},
+  return nlohmann::ordered_json{{"kind", "class"}, {"format", 1},     {"code", of.code},  {"teacher", of.teacher},
                                 {"seed", of.seed}, {"port", of.port}, {"began", of.began}}
              .dump() +
          '\n';
@@ -176,7 +176,8 @@ std::optional<Problem> ClassStore::writeAttempts() {
   for (auto from = all.begin(); from != all.end();) {
     std::map<Of, Draft> drafts;
     for (; from != all.end() && drafts.size() < kOpenAttempts; ++from) {
-      Expected<Draft> begun = Draft::begin(attemptsFolder() / attemptFileName(from->first, from->second), IfThere::Renew);
+      Expected<Draft> begun =
+          Draft::begin(attemptsFolder() / attemptFileName(from->first, from->second), IfThere::Renew);
       if (!begun) return begun.problem();
       drafts.emplace(*from, *std::move(begun));
     }

@@ -22,7 +22,7 @@ struct ClassIdentity {
   std::string code, teacher;  ///< the class's code; the teacher's token
   std::uint64_t seed = 0;     ///< of the animals
   int port = 0;
-  std::string began;          ///< UTC
+  std::string began;  ///< UTC
 };
 
 class ClassStore {
@@ -32,7 +32,8 @@ class ClassStore {
   /// Goes on with the class in this folder. An incomplete last record, which was never acknowledged, is cut off.
   static Expected<std::unique_ptr<ClassStore>> goOn(const std::filesystem::path& folder);
   /// Begins a class in a folder, which is made for its owner alone if it is new.
-  static Expected<std::unique_ptr<ClassStore>> begin(const std::filesystem::path& folder, const ClassIdentity& identity);
+  static Expected<std::unique_ptr<ClassStore>> begin(const std::filesystem::path& folder,
+                                                     const ClassIdentity& identity);
 
   /// Passes each record after the first to `record`, in order, without its line end.
   void forEachRecord(const std::function<void(std::string_view)>& record) const;

@@ -117,7 +117,8 @@ void addMisconceptions(std::map<std::string, std::vector<std::string>>& into, co
   for (const AttemptAt& one : of.attempts)
     for (const auto& [place, answer] : one.attempt->answers) {
       // The words of the teacher's lesson, whichever language the student reads.
-      if (place.first >= of.lesson.steps.size() || place.second >= of.lesson.steps[place.first].questions.size()) continue;
+      if (place.first >= of.lesson.steps.size() || place.second >= of.lesson.steps[place.first].questions.size())
+        continue;
       const QuestionOutline& asked = of.lesson.steps[place.first].questions[place.second];
       for (const std::size_t choice : answer.chosen) {
         if (answer.right || choice >= asked.tags.size() || asked.tags[choice].empty()) continue;
@@ -144,8 +145,10 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
     view.id = group.id;
     view.title = group.lesson.title;
     view.steerable = group.chosen;
-    if (const auto held = room.held().find(group.id); group.chosen && held != room.held().end()) view.held = held->second;
-    for (const StepOutline& step : group.lesson.steps) view.steps.push_back({step.title, 0, 0, 0, 0, step.aside, false});
+    if (const auto held = room.held().find(group.id); group.chosen && held != room.held().end())
+      view.held = held->second;
+    for (const StepOutline& step : group.lesson.steps)
+      view.steps.push_back({step.title, 0, 0, 0, 0, step.aside, false});
     if (view.held && *view.held < view.steps.size()) view.steps[*view.held].held = true;
     for (const AttemptAt& one : group.attempts) {
       const LiveStudent& student = room.students()[one.student];

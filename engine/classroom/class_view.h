@@ -15,9 +15,9 @@ inline constexpr double kAwayAfter_s = 15.0;
 
 struct StudentRow {
   std::string name;
-  std::string lesson;          ///< title; empty before an attempt
-  std::string step;            ///< title
-  std::size_t step_number = 0; ///< from 1; 0: none
+  std::string lesson;               ///< title; empty before an attempt
+  std::string step;                 ///< title
+  std::size_t step_number = 0;      ///< from 1; 0: none
   std::size_t task = 0, tasks = 0;  ///< the task under way, from 1, of all of the step; 0: all done or none
   std::size_t done = 0, of = 0, hints = 0;
   double on_step_s = 0.0;
@@ -26,7 +26,7 @@ struct StudentRow {
 
 struct StepRow {
   std::string title;
-  std::size_t here = 0;    ///< students whose present step it is and who are not away
+  std::size_t here = 0;  ///< students whose present step it is and who are not away
   std::size_t reached = 0, hints = 0, stuck = 0;
   bool aside = false, held = false;
 };
@@ -63,9 +63,9 @@ struct LessonView {
 };
 
 struct ClassView {
-  std::vector<StudentRow> students;             ///< those who are stuck first, then by name
-  std::vector<LessonView> lessons;              ///< those with students first
-  std::vector<MisconceptionRow> misconceptions; ///< the most frequent first
+  std::vector<StudentRow> students;              ///< those who are stuck first, then by name
+  std::vector<LessonView> lessons;               ///< those with students first
+  std::vector<MisconceptionRow> misconceptions;  ///< the most frequent first
   std::size_t here = 0, away = 0, stuck = 0, finished = 0;
   bool ended = false;
 };

@@ -112,9 +112,11 @@ Expected<int> bindPort(ClassServer& server, const LiveClassOptions& options, con
 
 }  // namespace
 
-std::optional<Problem> runLiveClass(const LiveClassOptions& options, const std::function<void(const LiveClassNews&)>& news,
+std::optional<Problem> runLiveClass(const LiveClassOptions& options,
+                                    const std::function<void(const LiveClassNews&)>& news,
                                     const std::function<bool()>& stop) {
-  Expected<std::string> page = readFile(options.page, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
+  Expected<std::string> page =
+      readFile(options.page, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
   if (!page) return page.problem();
   Expected<ChosenLessons> lessons = chosenLessons(options.lessons, [&](const std::string& text) {
     LiveClassNews note;
@@ -170,7 +172,10 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& options, const std::
   }
   news(started);
   if (!server.serve(**requests, stop))
-    return Problem{{}, 0, 0, trf("the port {0} of this computer cannot be served", *port),
+    return Problem{{},
+                   0,
+                   0,
+                   trf("the port {0} of this computer cannot be served", *port),
                    tr("end the program that uses it, or choose another with --port")};
 
   LiveClassNews stopped;

@@ -14,11 +14,12 @@
 namespace moltact {
 
 struct LiveClassOptions {
-  std::vector<std::string> lessons;  ///< files (.md, .moltact) or names of the program's lessons; empty: all of the program
-  std::filesystem::path page;        ///< the browser edition
-  std::filesystem::path folder;      ///< of the class; if a class was begun there, it goes on
-  bool share = false;                ///< other computers may connect
-  int port = -1;                     ///< -1: the class's own, else kUsualPort or any free one; 0: any free one
+  std::vector<std::string>
+      lessons;                   ///< files (.md, .moltact) or names of the program's lessons; empty: all of the program
+  std::filesystem::path page;    ///< the browser edition
+  std::filesystem::path folder;  ///< of the class; if a class was begun there, it goes on
+  bool share = false;            ///< other computers may connect
+  int port = -1;                 ///< -1: the class's own, else kUsualPort or any free one; 0: any free one
   static constexpr int kUsualPort = 8230;
 };
 
@@ -39,7 +40,8 @@ struct LiveClassNews {
 };
 
 /// Serves the class until `stop` returns true. A Problem if it cannot begin, or not write what it was given.
-std::optional<Problem> runLiveClass(const LiveClassOptions& options, const std::function<void(const LiveClassNews&)>& news,
+std::optional<Problem> runLiveClass(const LiveClassOptions& options,
+                                    const std::function<void(const LiveClassNews&)>& news,
                                     const std::function<bool()>& stop);
 
 }  // namespace moltact

@@ -27,8 +27,8 @@ std::string tilesPart(const ClassView& view) {
   return tile(view.here, trn("student here", "students here", view.here), "") + tile(view.away, tr("away"), "") +
          tile(view.stuck, tr("stuck"), view.stuck ? "warn" : "") +
          tile(view.finished, tr("finished"), view.finished ? "good" : "") +
-         (view.ended ? std::string("<p class=\"over\">") + tr("The class has ended. Work that is still on the way arrives.") +
-                           "</p>"
+         (view.ended ? std::string("<p class=\"over\">") +
+                           tr("The class has ended. Work that is still on the way arrives.") + "</p>"
                      : std::string());
 }
 
@@ -53,8 +53,10 @@ std::string studentsPart(const ClassView& view) {
     out += row.stuck ? "<tr class=\"stuck\">" : row.away ? "<tr class=\"away\">" : "<tr>";
     out += "<td class=\"name\">" + escaped(row.name) + "</td>";
     if (several) out += "<td>" + escaped(row.lesson) + "</td>";
-    out += "<td>" + (row.step_number ? std::to_string(row.step_number) + ". " + escaped(row.step)
-                                     : std::string("<span class=\"quiet\">") + tr("not begun") + "</span>") + "</td>";
+    out += "<td>" +
+           (row.step_number ? std::to_string(row.step_number) + ". " + escaped(row.step)
+                            : std::string("<span class=\"quiet\">") + tr("not begun") + "</span>") +
+           "</td>";
     out += "<td>" + (row.task ? trf("{0} of {1}", row.task, row.tasks) : row.tasks ? "✓" : std::string("–")) + "</td>";
     out += "<td class=\"n\">" + (row.step_number ? minutes(row.on_step_s) : "") + "</td><td class=\"n\">" +
            (row.hints ? std::to_string(row.hints) : "") + "</td>";
@@ -69,10 +71,9 @@ std::string stepsPart(const ClassView& view) {
   for (const LessonView& lesson : view.lessons) {
     out += "<article class=\"card\"><h3>" + escaped(lesson.title) + "</h3>";
     if (lesson.held) {
-      out += "<p class=\"held\">" +
-             trf("Nobody may go beyond step {0}.", *lesson.held + 1) +
-             " <button data-do=\"open\" id=\"open-" + escaped(lesson.id) + "\" data-lesson=\"" + escaped(lesson.id) + "\">" +
-             tr("Open the way for all") + "</button></p>";
+      out += "<p class=\"held\">" + trf("Nobody may go beyond step {0}.", *lesson.held + 1) +
+             " <button data-do=\"open\" id=\"open-" + escaped(lesson.id) + "\" data-lesson=\"" + escaped(lesson.id) +
+             "\">" + tr("Open the way for all") + "</button></p>";
     }
     std::size_t most = 1;
     for (const StepRow& step : lesson.steps) most = std::max(most, step.here);
@@ -88,15 +89,16 @@ std::string stepsPart(const ClassView& view) {
              "</td><td class=\"n\">" + (step.hints ? std::to_string(step.hints) : "") + "</td><td class=\"n\">";
       if (lesson.steerable && !step.aside && !step.held)
         out += "<button class=\"small\" data-do=\"hold\" id=\"hold-" + escaped(lesson.id) + "-" + std::to_string(k) +
-               "\" data-lesson=\"" + escaped(lesson.id) + "\" data-step=\"" + std::to_string(k) + "\">" + tr("Hold here") +
-               "</button>";
+               "\" data-lesson=\"" + escaped(lesson.id) + "\" data-step=\"" + std::to_string(k) + "\">" +
+               tr("Hold here") + "</button>";
       if (step.held) out += std::string("<b>") + tr("held") + "</b>";
       out += "</td></tr>";
     }
     out += "</tbody></table></article>";
   }
-  return out.empty() ? std::string("<p class=\"quiet\">") + tr("The lessons stand here when somebody begins one.") + "</p>"
-                     : out;
+  return out.empty()
+             ? std::string("<p class=\"quiet\">") + tr("The lessons stand here when somebody begins one.") + "</p>"
+             : out;
 }
 
 std::string barRow(const std::string& words, std::size_t count, std::size_t of, const std::string& more = {}) {
@@ -156,7 +158,8 @@ std::string answersPart(const ClassView& view) {
              trnf("Prediction of {0} student, {1}", "Predictions of {0} students, {1}", plot.students, plot.students,
                   escaped(plot.step)) +
              "</p><ul class=\"bars\">";
-      for (std::size_t k = 0; k < plot.choices.size(); ++k) out += barRow(plot.choices[k], plot.counts[k], plot.students);
+      for (std::size_t k = 0; k < plot.choices.size(); ++k)
+        out += barRow(plot.choices[k], plot.counts[k], plot.students);
       for (const std::string& text : plot.written) out += "<li class=\"text\">" + escaped(text) + "</li>";
       out += "</ul></article>";
     }
@@ -183,21 +186,20 @@ std::vector<std::pair<std::string, std::string>> teacherParts(const ClassView& v
 std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
   const std::string title = tr("Live class");
   const auto parts = teacherParts(view);
-  const auto part = [&](std::size_t k) {
-    return "<div id=\"" + parts[k].first + "\">" + parts[k].second + "</div>";
-  };
+  const auto part = [&](std::size_t k) { return "<div id=\"" + parts[k].first + "\">" + parts[k].second + "</div>"; };
   std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
                     "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
                     "initial-scale=1\"><title>" +
                     title + "</title><link rel=\"stylesheet\" href=\"class.css\"><link rel=\"icon\" href=\"data:,\">" +
                     "<script src=\"class.js\" defer></script></head><body><main>";
   out += "<header><div><h1>" + title + "</h1><p id=\"lost\" role=\"status\" hidden>" +
-         tr("The class's server does not answer. This page tries again.") + "</p></div><nav><a class=\"button\" href=\"report\" target=\"_blank\">" +
-         tr("Report") + "</a><button data-do=\"end\" data-sure=\"" +
+         tr("The class's server does not answer. This page tries again.") +
+         "</p></div><nav><a class=\"button\" href=\"report\" target=\"_blank\">" + tr("Report") +
+         "</a><button data-do=\"end\" data-sure=\"" +
          escaped(tr("End the class for all? Students can then no longer join.")) + "\">" + tr("End the class") +
          "</button></nav></header>";
-  out += "<section class=\"card address\"><div><p class=\"quiet\">" + std::string(tr("Students open this address")) + "</p><p class=\"big\">" +
-         escaped(facts.address) + "</p>";
+  out += "<section class=\"card address\"><div><p class=\"quiet\">" + std::string(tr("Students open this address")) +
+         "</p><p class=\"big\">" + escaped(facts.address) + "</p>";
   if (!facts.shared)
     out += std::string("<p class=\"quiet\">") +
            tr("It works on this computer only. Start the class with --share to let the room in.") + "</p>";

@@ -15,8 +15,8 @@ constexpr std::size_t kQuiet = 4;  // modules around the code, by ISO/IEC 18004
 
 QrCode qrCode(std::string_view text) {
   const std::string copy(text);
-  const std::unique_ptr<QRcode, void (*)(QRcode*)> made(
-      QRcode_encodeString8bit(copy.c_str(), 0, QR_ECLEVEL_M), QRcode_free);
+  const std::unique_ptr<QRcode, void (*)(QRcode*)> made(QRcode_encodeString8bit(copy.c_str(), 0, QR_ECLEVEL_M),
+                                                        QRcode_free);
   QrCode out;
   if (!made) return out;
   out.width = std::size_t(made->width);

@@ -118,26 +118,29 @@ Expected<int> ClassServer::bind(bool share, int port) {
   } else if (impl_->http.bind_to_port(address, port)) {
     return port;
   }
-  return Problem{{}, 0, 0, trf("the port {0} of this computer cannot be served", port),
+  return Problem{{},
+                 0,
+                 0,
+                 trf("the port {0} of this computer cannot be served", port),
                  tr("end the program that uses it, or choose another with --port")};
 }
 
 bool ClassServer::serve(ClassRequests& requests, const std::function<bool()>& stop) {
   httplib::Server& http = impl_->http;
-  using Answered = httplib::Server::HandlerResponse;
+  using Handling = httplib::Server::HandlerResponse;
   const auto refuse = [](int status, httplib::Response& to) {
     ClassReply reply;
     reply.status = status;
     reply.body = tr("The request cannot be read.");
     giveReply(reply, to);
-    return Answered::Handled;
+    return Handling::Handled;
   };
   // Before a body is read.
   http.set_pre_routing_handler([&](const httplib::Request& from, httplib::Response& to) {
     const ClassRequest request = impl_->requestOf(from);
     if (const auto reply = requests.refused(request)) {
       giveReply(*reply, to);
-      return Answered::Handled;
+      return Handling::Handled;
     }
     // Of these the library would read or make more bytes than the headers say.
     for (const char* header : {"Transfer-Encoding", "Content-Encoding", "Range"})
@@ -148,20 +151,21 @@ bool ClassServer::serve(ClassRequests& requests, const std::function<bool()>& st
         impl_->listen(requests, to);
       else
         giveReply(reply, to);
-      return Answered::Handled;
+      return Handling::Handled;
     }
     const std::string length = from.get_header_value("Content-Length");
     if (length.empty() || length.size() > 9 || length.find_first_not_of("0123456789") != std::string::npos)
       return refuse(411, to);
     if (std::stoul(length) > kMaxClassBody) return refuse(413, to);
-    return Answered::Unhandled;
+    return Handling::Unhandled;
   });
   http.Post(".*", [&](const httplib::Request& from, httplib::Response& to) {
     ClassRequest request = impl_->requestOf(from);
     request.body = from.body;
     giveReply(requests.answer(request), to);
   });
-  http.set_exception_handler([](const httplib::Request&, httplib::Response& to, std::exception_ptr) { to.status = 500; });
+  http.set_exception_handler(
+      [](const httplib::Request&, httplib::Response& to, std::exception_ptr) { to.status = 500; });
   std::atomic<bool> served{true};
   std::thread accepting([&] { served = http.listen_after_bind(); });
   while (!stop() && served) std::this_thread::sleep_for(kStopEvery);

@@ -6,7 +6,8 @@ namespace moltact {
 
 std::optional<Problem> runLiveClass(const LiveClassOptions&, const std::function<void(const LiveClassNews&)>&,
                                     const std::function<bool()>&) {
-  return Problem{{}, 0, 0, tr("this edition cannot serve a class"), tr("use the Linux edition on the teacher's computer")};
+  return Problem{
+      {}, 0, 0, tr("this edition cannot serve a class"), tr("use the Linux edition on the teacher's computer")};
 }
 
 }  // namespace moltact

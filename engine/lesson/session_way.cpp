@@ -65,7 +65,8 @@ std::optional<std::size_t> LessonSession::leadsTo() const {
 }
 
 bool LessonSession::waits(std::size_t step) const {
-  if (!classHolds().empty() && !lesson_->steps[step].aside && classHolds(lessonName(lesson_->file).id, step)) return true;
+  if (!classHolds().empty() && !lesson_->steps[step].aside && classHolds(lessonName(lesson_->file).id, step))
+    return true;
   return lesson_->steps[step].required && !lesson_->steps[step].aside && !stepDone(step) &&
          !(step == step_ && leadsTo());
 }
