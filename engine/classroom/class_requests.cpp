@@ -122,7 +122,7 @@ std::optional<ClassReply> ClassRequests::refused(const ClassRequest& request) {
   if (!known(host)) return plainReply(403, tr("This computer does not serve that address."));
   if (request.path.empty() || request.path.size() > kMaxClassPath) return nothingHere();
   if (request.method == "GET") return std::nullopt;
-  if (request.method != "POST") return plainReply(405, tr("Only pages are here."));
+  if (request.method != "POST") return plainReply(405, tr("Only GET and POST are accepted here."));
   if (!request.origin.empty() && lower(request.origin) != "http://" + host)
     return plainReply(403, tr("Another site may not write here."));
   if (!request.fetch_site.empty() && request.fetch_site != "same-origin")
