@@ -1,5 +1,5 @@
 // Answers the requests of a live class: which page or act a request asks for, and whether it may. Knows HTTP's words but
-// no socket; serve_class.cpp gives it what a connection brought. Many threads may call at once.
+// no socket; class_server.cpp gives it what a connection brought. Many threads may call at once.
 //
 // Addresses: /CODE/ and below for students, /teacher/TOKEN/ and below for the teacher. No part of a request becomes part of
 // a file's name.

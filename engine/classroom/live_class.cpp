@@ -6,7 +6,7 @@
 
 #include "engine/classroom/qr_code.h"
 #include "engine/classroom/secrets.h"
-#include "engine/classroom/serve_class.h"
+#include "engine/classroom/class_server.h"
 #include "engine/core/content_hash.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "engine/classroom/class_requests.h"
-#include "engine/classroom/serve_class.h"
+#include "engine/classroom/class_server.h"
 #include "engine/platform/random_bytes.h"
 #include "tests/classroom/http_client.h"
 #include "tests/classroom/small_class.h"

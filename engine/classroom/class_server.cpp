@@ -1,4 +1,4 @@
-#include "engine/classroom/serve_class.h"
+#include "engine/classroom/class_server.h"
 
 #include <httplib.h>
 
@@ -167,7 +167,7 @@ bool ClassServer::serve(ClassRequests& requests, const std::function<bool()>& st
   http.set_exception_handler(
       [](const httplib::Request&, httplib::Response& to, std::exception_ptr) { to.status = 500; });
   std::atomic<bool> served{true};
-  std::thread accepting([&] { served = http.listen_after_bind(); });
+  auto accepting = std::thread([&] { served = http.listen_after_bind(); });
   while (!stop() && served) std::this_thread::sleep_for(kStopEvery);
   const bool good = served;
   impl_->stopping = true;

@@ -1,0 +1,156 @@
+"""A live class: `moltact class` on a free port of the loopback, three students in browsers of their own, and the teacher's page.
+One student loses the server, which is killed and started again, and catches up."""
+import json
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+
+from page import DESKTOP, PAGE, PageTest
+
+LESSON = """---
+title: Hands & <atoms>
+minutes: 2
+molecules: argon-pair
+author: The Moltact authors
+licence: CC-BY-4.0
+ask: name
+---
+## Touch
+```scene
+molecule: argon-pair
+```
+```touch
+reach: all
+say: Touch an atom.
+```
+### Question: How many atoms are there?
+- [ ] One → Look again. → counts what hides as one
+- [x] Two → Yes.
+## Slide
+Look.
+## The end
+Done.
+"""
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Class(PageTest):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="moltact-class-"))
+        self.addCleanup(shutil.rmtree, self.folder, True)
+        (self.folder / "hands.md").write_text(LESSON)
+        self.port = free_port()
+        self.start()
+        self.addCleanup(lambda: (self.server.kill(), self.server.wait()))
+
+    def start(self):
+        log = self.folder / "log"
+        with open(log, "w") as out:
+            self.server = subprocess.Popen([DESKTOP, "class", "hands.md", "--folder", self.folder / "class", "--port", str(self.port), "--page", PAGE],
+                                           cwd=self.folder, stdout=out, stderr=subprocess.STDOUT)
+        end = time.monotonic() + 60
+        while "Ctrl+C" not in log.read_text():
+            self.assertIsNone(self.server.poll(), log.read_text())
+            self.assertLess(time.monotonic(), end, log.read_text())
+            time.sleep(0.05)
+        self.student, self.teacher = re.findall(r"http://\S+", log.read_text())
+
+    def join(self, name):
+        browser = self.browser()
+        browser.go(self.student)
+        browser.until("document.querySelector('#class-name')")
+        if name:
+            browser.evaluate(f"document.querySelector('#class-name').value = {json.dumps(name)}")
+        if name == "<b>Ada</b>":
+            self.picture(browser, "class-join")
+        browser.evaluate("[...document.querySelectorAll('#class-join button')][%d].click()" % (0 if name else 1))
+        browser.until("globalThis.moltactSender", 120)
+        browser.wait_for("task/0", "current")
+        return browser
+
+    def rows(self, teacher):
+        return teacher.evaluate("[...document.querySelectorAll('#students tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
+
+    def wait_row(self, teacher, test, patience_s=30):
+        end = time.monotonic() + patience_s
+        while not any(test(row) for row in self.rows(teacher)):
+            self.assertLess(time.monotonic(), end, self.rows(teacher))
+            time.sleep(0.1)
+
+    def answer(self, browser, words):
+        browser.click(next(n for n, w in browser.widgets().items() if n.startswith("question/0/") and w[4] == words))
+
+    def test_three_students_join_one_loses_the_server_and_catches_up_and_the_teacher_sees_holds_and_ends(self):
+        ada, bo, animal = self.join("<b>Ada</b>"), self.join("Bo"), self.join("")
+        teacher = self.browser()
+        teacher.go(self.teacher)
+        teacher.until("document.querySelectorAll('#students tbody tr').length === 3")
+        names = [row[0] for row in self.rows(teacher)]
+        self.assertIn("<b>Ada</b>", names)
+        self.assertIn("Bo", names)
+        self.assertTrue(all(names), names)
+
+        # Step, task and a misconception as they happen.
+        for browser in (ada, bo):
+            self.press(browser, until=("task/0", "done"))
+        self.answer(ada, "One")
+        teacher.until("document.querySelector('#answers').textContent.includes('counts what hides as one')", 30)
+        self.wait_row(teacher, lambda row: row[0] == "<b>Ada</b>" and row[1].startswith("1. Touch"))
+
+        # The class is held at the first step: the button says so; when it is opened, the student goes on.
+        teacher.evaluate("document.querySelector('#hold-hands-0').click()")
+        self.answer(ada, "Two")
+        ada.wait_for("lesson/next", "Your class waits here")
+        self.picture(teacher, "class-teacher")
+        teacher.evaluate("document.querySelector('#open-hands').click()")
+        ada.wait_for("lesson/next", "Next")
+
+        # The server dies. Bo goes on: the page says it in a line, and everything arrives when the server is back.
+        self.server.kill()
+        self.server.wait()
+        self.answer(bo, "Two")
+        bo.click("lesson/next")
+        bo.wait_for("lesson/step", "Slide")
+        bo.until("!document.querySelector('#class-said').hidden && document.querySelector('#class-said').textContent.includes('does not answer')", 30)
+        self.picture(bo, "class-lost")
+        teacher.until("!document.querySelector('#lost').hidden")
+        self.start()
+        bo.until("document.querySelector('#class-said').textContent.includes('answers again')", 30)
+        self.wait_row(teacher, lambda row: row[0] == "Bo" and row[1].startswith("2. Slide"))
+
+        # A page that is loaded again goes on as the same student, in the same attempt.
+        bo.go(self.student)
+        bo.until("document.querySelector('#class-join button')?.textContent === 'Go on as Bo'")
+        bo.evaluate("document.querySelector('#class-join button').click()")
+        bo.wait_for("lesson/step", "Slide")
+
+        # The end, and the report from the attempts.
+        teacher.evaluate("globalThis.confirm = () => true; globalThis.open = () => null; document.querySelector('[data-do=end]').click()")
+        for browser in (ada, animal):
+            browser.until("document.querySelector('#class-said').textContent.includes('All of your work has arrived')", 30)
+        report = self.browser()
+        report.go(self.teacher + "report")
+        report.until("document.querySelector('main')")
+        text = report.evaluate("document.querySelector('main').textContent")
+        for name in ("<b>Ada</b>", "Bo", "counts what hides as one"):
+            self.assertIn(name, text)
+        self.server.send_signal(signal.SIGINT)
+        self.server.wait(30)
+        lines = [json.loads(line) for line in (self.folder / "class" / "attempts" / "student-002-1.jsonl").read_text().splitlines()]
+        self.assertEqual(lines[0]["student"], "Bo")
+        times = [line["t"] for line in lines[1:] if line["kind"] in ("step", "answer", "done")]
+        self.assertEqual(times, sorted(times))
+        self.assertEqual([line["step"] for line in lines if line["kind"] == "step"].count("slide"), 1)
+        for browser in (ada, animal):
+            bad = [line for line in browser.console() if "rror" in line and "ERR_CONNECTION" not in line and "Failed to" not in line]
+            self.assertEqual(bad, [])
