@@ -32,7 +32,7 @@ const moltactClassroom = (() => {
       "your name": "Dein Name",
       "what is seen": "Deine Lehrkraft sieht diesen Namen und was du in der Lektion tust.",
       "join": "Teilnehmen",
-      "animal": "Den Namen eines Tiers nehmen",
+      "animal": "Einen Tiernamen nehmen",
       "go on as": "Als {0} weitermachen",
       "someone else": "Ich bin jemand anderes",
       "which lesson": "Welche Lektion?",
