@@ -12,6 +12,8 @@
 namespace moltact {
 namespace {
 
+constexpr std::size_t kMaxUnbegun = 3;
+
 std::string tile(std::size_t count, const char* words, const char* look) {
   return std::string("<div class=\"tile ") + look + "\"><b>" + std::to_string(count) + "</b><span>" + words +
          "</span></div>";
@@ -69,6 +71,8 @@ std::string studentsPart(const ClassView& view) {
 std::string stepsPart(const ClassView& view) {
   std::string out;
   for (const LessonView& lesson : view.lessons) {
+    // Of a class with all lessons of the program, those that somebody has begun.
+    if (lesson.students == 0 && !lesson.held && view.lessons.size() > kMaxUnbegun) continue;
     out += "<article class=\"card\"><h3>" + escaped(lesson.title) + "</h3>";
     if (lesson.held) {
       out += "<p class=\"held\">" + trf("Nobody may go beyond step {0}.", *lesson.held + 1) +

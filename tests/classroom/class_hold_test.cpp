@@ -67,7 +67,7 @@ TEST_CASE("who is beyond the held step already stays there, and may go back") {
 }
 
 TEST_CASE("an answer that leads or skips forward over the held step does not lead there before it is opened") {
-  for (const char* rules : {"after right: go to #d\n", "after right: skip #c\n"}) {
+  for (const char* rules : {"if right: go to #d\n", "if right: skip #c\n"}) {
     LessonSession s(heldLesson(rules));
     s.next();
     s.choose(0, {1});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/classroom/class_room.h"
+#include "engine/core/random.h"
 #include "engine/results/attempt_lines.h"
 
 namespace moltact::test {
