@@ -4,9 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "engine/classroom/class_server.h"
 #include "engine/classroom/qr_code.h"
 #include "engine/classroom/secrets.h"
-#include "engine/classroom/class_server.h"
 #include "engine/core/content_hash.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
