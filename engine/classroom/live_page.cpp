@@ -142,7 +142,7 @@ std::string curvesSvg(const CurvePlot& plot) {
     }
     svg.path(path, "class=\"drawn\"");
   }
-  return std::move(svg).within("viewBox=\"0 0 470 180\" role=\"img\" aria-label=\"" + escaped(plot.task) + "\"");
+  return std::move(svg).within("class=\"curves\" viewBox=\"0 0 470 180\" role=\"img\" aria-label=\"" + escaped(plot.task) + "\"");
 }
 
 std::string answersPart(const ClassView& view) {
@@ -242,7 +242,7 @@ meter::-webkit-meter-optimum-value,progress::-webkit-progress-value{background:v
 meter::-moz-meter-bar,progress::-moz-progress-bar{background:var(--accent);border-radius:6px}meter.warn::-moz-meter-bar{background:var(--warn)}
 .bars{list-style:none;margin:8px 0 0;padding:0}.bars li{display:grid;grid-template-columns:minmax(8em,1.4fr) minmax(100px,1fr) 2.4em;gap:4px 14px;align-items:center;padding:5px 0}
 .bars small{display:block}.bars meter{width:100%;height:16px}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
-svg{max-width:100%;display:block}.grid{stroke:var(--line);fill:none}.axis{font-size:11px;fill:var(--quiet)}.drawn{fill:none;stroke:var(--accent);stroke-width:2;stroke-opacity:.45;stroke-linejoin:round}
+svg{max-width:100%;display:block}.curves{max-width:620px}.grid{stroke:var(--line);fill:none}.axis{font-size:11px;fill:var(--quiet)}.drawn{fill:none;stroke:var(--accent);stroke-width:2;stroke-opacity:.45;stroke-linejoin:round}
 #lost{color:var(--warn);font-weight:600}
 )css";
 }

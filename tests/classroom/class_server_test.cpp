@@ -32,6 +32,7 @@ struct RunningClass {
     start();
   }
   void start() {
+    fs::remove(scratch.path / "log");
     process = std::make_unique<ChildProgram>(
         std::vector<std::string>{MOLTACT_BINARY, "class", "first-touch", "--folder", (scratch.path / "class").string(),
                                  "--port", std::to_string(port), "--page", (scratch.path / "page.html").string()},
