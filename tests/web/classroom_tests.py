@@ -14,7 +14,9 @@ from page import DESKTOP, PAGE, PageTest
 
 LESSON = """---
 title: Hands & <atoms>
-minutes: 2
+minutes: 1
+goals:
+  - Touch an atom
 molecules: argon-pair
 author: The Moltact authors
 licence: CC-BY-4.0
@@ -132,6 +134,7 @@ class Class(PageTest):
         bo.go(self.student)
         bo.until("document.querySelector('#class-join button')?.textContent === 'Go on as Bo'")
         bo.evaluate("document.querySelector('#class-join button').click()")
+        bo.until("globalThis.moltactSender", 120)
         bo.wait_for("lesson/step", "Slide")
 
         # The end, and the report from the attempts.
