@@ -1,4 +1,5 @@
 // `moltact class`: serves the browser edition and lessons to a room, and shows the teacher who is where.
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -24,7 +25,7 @@ struct ClassArguments {
 };
 
 // "2026-11-28-061449", of the time in UTC.
-std::string folderName() {
+std::string classFolderName() {
   std::string out;
   for (const char c : utcText(std::chrono::system_clock::now()))
     if (c == 'T')
@@ -34,7 +35,7 @@ std::string folderName() {
   return out;
 }
 
-void tell(const LiveClassNews& news, const LiveClassOptions& options) {
+void tellTeacher(const LiveClassNews& news, const LiveClassOptions& options) {
   if (news.kind == LiveClassNews::Kind::Note) {
     err() << "moltact: " << trf("note: {0}", news.text) << '\n';
     return;
@@ -79,13 +80,13 @@ void run(const ClassArguments& arguments) {
   if (arguments.folder.empty()) {
     if (userDataFolder().empty())
       throw CommandError{tr("this computer names no folder for the class; name one with --folder")};
-    options.folder = userDataFolder() / "classes" / folderName();
+    options.folder = userDataFolder() / "classes" / classFolderName();
   } else {
     options.folder = arguments.folder;
   }
   const InterruptWatch watch;
   const auto problem = runLiveClass(
-      options, [&](const LiveClassNews& news) { tell(news, options); }, [&] { return watch.seen(); });
+      options, [&](const LiveClassNews& news) { tellTeacher(news, options); }, [&] { return watch.seen(); });
   if (problem) throw CommandError{problem->text()};
 }
 
