@@ -64,8 +64,8 @@ const moltactClassroom = (() => {
     #class-join button.first { background: #2a6fdb; color: #fff; }
     #class-join button:hover { filter: brightness(.96); }
     #class-join :focus-visible { outline: 3px solid #2a6fdb66; outline-offset: 2px; }
-    #class-said { position: absolute; z-index: 2; left: 50%; top: 3.4em; transform: translateX(-50%); max-width: min(44em, 86%); padding: .5em 1.1em;
-      border-radius: 1.4em; background: #1d2430e8; color: #fff; font-size: .92em; line-height: 1.4; pointer-events: none; text-align: center; }
+    #class-said { position: absolute; z-index: 2; right: .5em; bottom: .25em; max-width: calc(100% - 3em); padding: .15em .9em;
+      border-radius: 1em; background: #1d2430; color: #fff; font-size: .82em; line-height: 1.45; pointer-events: none; }
     #class-said[hidden] { display: none; }`;
 
   const guarded = (storage) => ({
