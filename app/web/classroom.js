@@ -187,6 +187,7 @@ const moltactClassroom = (() => {
         this.page.said("ended", true);
       } else if (all === this.lost) {
         this.page.said(all ? "back" : "lost", !all);
+        if (!all) this.page.held({});  // who loses the server goes on, also where the class waits
       }
       this.lost = !all;
     }

@@ -70,17 +70,22 @@ const line = (k) => JSON.stringify({kind: "still", t: k}) + "\n";
   await step();
   same(at.kept.get("a"), [line(0), line(1), line(2)].map((l) => l.trim()));
   assert.strictEqual(one.said.length, 0);
+  at.held = {bumps: 1};
+  await step();
+  same(one.held.at(-1), {bumps: 1});
 
   // The server is lost: said once; the attempt goes on; all arrives, once, when it is back.
   at.down = true;
   for (let k = 3; k < 300; ++k) { one.files["a.jsonl"] += line(k); await step(1000); }
   same(one.said, ["lost"]);
+  same(one.held.at(-1), {});
   const asks = at.asks;
   await one.sender.step(now_ms + 10);  // not at once again
   assert.strictEqual(at.asks, asks);
   at.down = false;
   await step();
   same(one.said, ["lost", "back"]);
+  same(one.held.at(-1), {bumps: 1});
   assert.strictEqual(at.kept.get("a").length, 300);
 
   // An answer is lost after the server had the lines: they come again and count once.

@@ -121,9 +121,10 @@ class Class(PageTest):
         self.server.kill()
         self.server.wait()
         self.answer(bo, "Two")
+        bo.until("!document.querySelector('#class-said').hidden && document.querySelector('#class-said').textContent.includes('does not answer')", 30)
+        bo.wait_for("lesson/next", "Next")  # although the page may not have heard that the way is open
         bo.click("lesson/next")
         bo.wait_for("lesson/step", "Slide")
-        bo.until("!document.querySelector('#class-said').hidden && document.querySelector('#class-said').textContent.includes('does not answer')", 30)
         self.picture(bo, "class-lost")
         teacher.until("!document.querySelector('#lost').hidden")
         self.start()
