@@ -34,7 +34,11 @@ say: Touch an atom.
 - [ ] One → Look again. → counts what hides as one
 - [x] Two → Yes.
 ## Slide
-Look.
+```touch
+press: anywhere
+until: 0.8 N
+say: Push with 0.8 N.
+```
 ## The end
 Done.
 """
