@@ -142,7 +142,8 @@ std::string curvesSvg(const CurvePlot& plot) {
     }
     svg.path(path, "class=\"drawn\"");
   }
-  return std::move(svg).within("class=\"curves\" viewBox=\"0 0 470 180\" role=\"img\" aria-label=\"" + escaped(plot.task) + "\"");
+  return std::move(svg).within("class=\"curves\" viewBox=\"0 0 470 180\" role=\"img\" aria-label=\"" +
+                               escaped(plot.task) + "\"");
 }
 
 std::string answersPart(const ClassView& view) {
