@@ -148,6 +148,18 @@
       try { localStorage.removeItem(this.last); } catch (error) { /* there is none */ }
     },
 
+    // How many bytes of a file the database has; all, if nothing can be stored.
+    stored(path) {
+      if (!this.base || this.failing) return Infinity;
+      return Number((this.known.get(path) || "0").split(" ")[0]);
+    },
+
+    // Stores what is there, and then nothing more: another tab goes on with the same files.
+    async leaveToOther() {
+      await this.save();
+      this.base = null;
+    },
+
     failed(error) {
       if (this.failing) return;  // report only once
       this.failing = true;
@@ -421,7 +433,11 @@
     let held = {};
     globalThis.moltactSender = moltactClassroom.begin(student, {  // named for debugging
       files: () => FS.analyzePath(kAttempts).exists ? FS.readdir(kAttempts).filter((name) => name.endsWith(".jsonl")).sort() : [],
-      read: (name) => FS.readFile(kAttempts + "/" + name),
+      read(name, all) {
+        const bytes = FS.readFile(kAttempts + "/" + name);
+        return all ? bytes : bytes.subarray(0, keeper.stored(kAttempts + "/" + name));
+      },
+      leave: () => keeper.leaveToOther(),
       held(table) {
         const hold = (lesson, step) => program.ccall("moltact_class_hold", null, ["string", "number"], [lesson, step]);
         for (const lesson of Object.keys(held)) if (!Object.hasOwn(table, lesson)) hold(lesson, -1);

@@ -234,6 +234,7 @@ ClassReply ClassRequests::takeLines(const ClassRequest& request) {
     if (const auto attempt = textOf(body, "attempt")) {
       ClassRoom::Taken taken = room_.take(*student, *attempt, numberOf(body, "from").value_or(0), lines, request.now_s);
       reply["have"] = taken.have;
+      if (const auto mark = room_.lastMark(*student, *attempt)) reply["last"] = *mark;
       using Refused = ClassRoom::Refused;
       if (taken.refused == Refused::Gap) status = 409;
       if (taken.refused == Refused::Broken) status = 400;

@@ -149,6 +149,12 @@ double LiveAttempt::spent_s(std::size_t at) const {
   return steps[at].spent_s + (step == at ? std::max(0.0, now_s - entered_s) : 0.0);
 }
 
+std::uint32_t lineMark(std::string_view line) {
+  std::uint32_t out = 0x811c9dc5U;
+  for (const char c : line) out = (out ^ static_cast<unsigned char>(c)) * 0x01000193U;
+  return out;
+}
+
 std::string lessonIdOf(const LessonOutline& lesson) { return lessonName(lesson.file).id; }
 
 std::optional<LineRecord> lineRecord(std::string_view record) {
@@ -203,16 +209,18 @@ ClassRoom::Taken ClassRoom::take(std::size_t number, std::string_view key, std::
   if (from > have) return {Refused::Gap, have, {}};
   const std::size_t first = have - from;  // the first line that is new
   if (first >= lines.size()) return {Refused::No, have, {}};
+  // In part new: the page first looks whether the lines that are here are its own (lastMark).
+  if (first > 0) return {Refused::Gap, have, {}};
   if (fresh && student.attempts.size() >= kMaxAttemptsOfStudent) return {Refused::Full, have, {}};
   std::size_t bytes = 0;
-  for (std::size_t k = first; k < lines.size(); ++k) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
     if (!isObjectLine(lines[k])) return {Refused::Broken, have, {}};
     bytes += lines[k].size();
   }
   if (student.bytes + bytes > kMaxBytesOfStudent) return {Refused::Full, have, {}};
   std::string header;
   if (have == 0) {
-    Expected<AttemptHeader> read = readHeaderLine(lines[first]);
+    Expected<AttemptHeader> read = readHeaderLine(lines.front());
     if (!read) return {Refused::Broken, have, {}};
     read->student = student.name;
     header = lineOf(*read);
@@ -224,8 +232,8 @@ ClassRoom::Taken ClassRoom::take(std::size_t number, std::string_view key, std::
   const std::size_t index = std::size_t(&attempt - student.attempts.data());
   if (fresh)
     out.records = recordText({{"kind", "attempt"}, {"student", number}, {"attempt", index}, {"key", std::string(key)}});
-  for (std::size_t k = first; k < lines.size(); ++k) {
-    const std::string_view line = have == 0 && k == first ? std::string_view(header) : std::string_view(lines[k]);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const std::string_view line = have == 0 && k == 0 ? std::string_view(header) : std::string_view(lines[k]);
     out.records += lineRecordText(number, index, line);
     apply(attempt, line);
   }
@@ -236,7 +244,14 @@ ClassRoom::Taken ClassRoom::take(std::size_t number, std::string_view key, std::
   return out;
 }
 
+std::optional<std::uint32_t> ClassRoom::lastMark(std::size_t student, std::string_view key) const {
+  for (const LiveAttempt& one : students_[student].attempts)
+    if (one.key == key && one.lines > 1) return one.last_mark;
+  return std::nullopt;
+}
+
 void ClassRoom::apply(LiveAttempt& attempt, std::string_view line) {
+  attempt.last_mark = lineMark(line);
   if (attempt.lines++ == 0) {
     Expected<AttemptHeader> header = readHeaderLine(line);
     if (header) LiveFacts{attempt, 0.0}(LessonReread{std::move(header->lesson)});

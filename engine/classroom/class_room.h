@@ -43,6 +43,7 @@ struct LiveAnswer {
 struct LiveAttempt {
   std::string key;        ///< as the student's page names it
   std::size_t lines = 0;  ///< lines taken, with the header
+  std::uint32_t last_mark = 0;  ///< lineMark() of the last of them
   LessonOutline lesson;   ///< as the student reads it; empty before the header
   std::optional<std::size_t> step;
   double entered_s = 0.0, now_s = 0.0;
@@ -88,7 +89,7 @@ class ClassRoom {
 
   enum class Refused {
     No,
-    Gap,     ///< lines before `from` are missing
+    Gap,     ///< lines before `from` are missing, or lines from `from` on are there already and others are new
     Broken,  ///< a line is no line of an attempt, or the key no key
     Full,    ///< beyond the limits above
   };
@@ -97,10 +98,14 @@ class ClassRoom {
     std::size_t have = 0;  ///< lines of this attempt that were taken, now and earlier
     std::string records;
   };
-  /// Takes lines of an attempt. `from` is the number of the first one in the attempt; lines that were taken before are
+  /// Takes lines of an attempt. `from` is the number of the first one in the attempt. Lines that were all taken before are
   /// passed over. Either all lines are taken or none. The name in the header becomes the student's.
   Taken take(std::size_t student, std::string_view key, std::size_t from, const std::vector<std::string>& lines,
              double now_s);
+
+  /// The mark of an attempt's last line, by which a page sees whether the lines are its own; nothing before the second line,
+  /// because the header is rewritten.
+  std::optional<std::uint32_t> lastMark(std::size_t student, std::string_view key) const;
 
   /// Nobody may go beyond this step of the lesson (ClassLesson::id), until it is opened. Empty if there is no such step.
   std::string hold(const std::string& lesson, std::size_t step);
@@ -131,6 +136,9 @@ class ClassRoom {
 
 /// The name of a lesson without ending and language, from that of its file in an attempt.
 std::string lessonIdOf(const LessonOutline& lesson);
+
+/// FNV-1a (32 bits) of a line's bytes; app/web/classroom.js computes the same.
+std::uint32_t lineMark(std::string_view line);
 
 /// A record of a line, in parts; nothing if it is another record. The views end with `record`.
 struct LineRecord {

@@ -194,15 +194,4 @@ std::optional<Problem> ClassStore::writeAttempts() {
   return std::nullopt;
 }
 
-std::optional<Problem> ClassStore::finish() {
-  if (auto problem = commit(newest())) return problem;
-  if (auto problem = writeAttempts()) return problem;
-  std::string kept;
-  forEachLine(folder_ / kJournal, [&](const std::string& record) {
-    if (!lineRecord(record)) kept += record + '\n';
-  });
-  journal_.reset();
-  return writeWhole(folder_ / kJournal, kept, IfThere::Renew);
-}
-
 }  // namespace moltact

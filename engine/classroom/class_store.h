@@ -52,9 +52,6 @@ class ClassStore {
 
   /// Writes the attempts of all students into attemptsFolder(), as far as the journal has them. Blocks.
   std::optional<Problem> writeAttempts();
-  /// Writes the attempts, and then a journal without their lines: what remains of a class that is over. No other call
-  /// may follow.
-  std::optional<Problem> finish();
 
  private:
   explicit ClassStore(std::filesystem::path folder) : folder_(std::move(folder)) {}

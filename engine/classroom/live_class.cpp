@@ -185,8 +185,6 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& options,
   const Expected<std::string> report = (*requests)->writeReport();
   if (!report) return report.problem();
   if (!report->empty()) stopped.report = store->folder() / "report.html";
-  if (stopped.ended)
-    if (auto problem = store->finish()) return problem;
   news(stopped);
   return std::nullopt;
 }

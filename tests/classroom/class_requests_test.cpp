@@ -255,20 +255,42 @@ TEST_CASE("what was acknowledged is there after a restart, even if the journal e
   CHECK(attempt->problems.empty());
 }
 
-TEST_CASE("of a class that is over, the attempts and the list of students remain, and the lines leave the journal") {
+TEST_CASE("a class that ended, stopped and goes on keeps all lines, also of a page that sends only its first two again") {
   SmallSite site;
-  const std::string ada = site.join("Ada")["token"], bo = site.join("Bo")["token"];
-  site.send(ada, 0, {headerLine(), eventLine(1.0, HintOpened{"one"})});
-  site.send(bo, 0, {headerLine()});
+  const std::string ada = site.join("Ada")["token"];
+  std::vector<std::string> lines{headerLine()};
+  for (int k = 1; k < 6; ++k) lines.push_back(eventLine(double(k), HintOpened{"one"}));
+  REQUIRE(Json::parse(site.send(ada, 0, lines).body)["have"] == 6);
   site.ask("POST", "/teacher/teachertoken22/steer", R"({"do":"end"})");
-  site.requests.reset();
-  REQUIRE_FALSE(site.store->finish());
-  const std::string journal = bytesOf(site.scratch.path / "class/class.jsonl");
-  CHECK(journal.find("\"line\"") == std::string::npos);
-  CHECK(journal.find("\"Ada\"") != std::string::npos);
-  CHECK(journal.find("\"ended\"") != std::string::npos);
-  CHECK(readAttempt(site.scratch.path / "class/attempts/student-001-1.jsonl"));
-  CHECK(readAttempt(site.scratch.path / "class/attempts/student-002-1.jsonl"));
+  REQUIRE(site.requests->writeReport());
+  const fs::path file = site.scratch.path / "class/attempts/student-001-1.jsonl";
+  const std::string whole = bytesOf(file);
+  CHECK(std::count(whole.begin(), whole.end(), '\n') == 6);
+  site.start();
+  CHECK(site.requests->ended());
+  CHECK(Json::parse(site.send(ada, 0, {lines[0], lines[1]}).body)["have"] == 6);
+  REQUIRE(site.requests->writeReport());
+  CHECK(bytesOf(file) == whole);
+}
+
+TEST_CASE("an answer has the mark of the attempt's last line, by which a page sees that the lines are not its own") {
+  SmallSite site;
+  const std::string token = site.join("Ada")["token"];
+  const std::vector<std::string> lines{headerLine(), eventLine(1.0, HintOpened{"one"}), "{\"kind\":\"x\",\"y\":\"\xC3\xBC\"}"};
+  CHECK_FALSE(Json::parse(site.send(token, 0, {lines[0]}).body).contains("last"));
+  CHECK(Json::parse(site.send(token, 1, {lines[1]}).body)["last"] == lineMark(lines[1]));
+  CHECK(Json::parse(site.send(token, 2, {lines[2]}).body)["last"] == lineMark(lines[2]));
+  // In part new: refused with the mark; what is there stays.
+  const ClassReply reply = site.send(token, 2, {eventLine(2.0, HintOpened{"one"}), eventLine(3.0, HintOpened{"one"})});
+  CHECK(reply.status == 409);
+  CHECK(Json::parse(reply.body)["have"] == 3);
+  CHECK(Json::parse(reply.body)["last"] == lineMark(lines[2]));
+  site.start();
+  CHECK(Json::parse(site.send(token, 0, {}).body)["last"] == lineMark(lines[2]));
+  // Published values of FNV-1a, 32 bits.
+  CHECK(lineMark("") == 0x811c9dc5U);
+  CHECK(lineMark("a") == 0xe40c292cU);
+  CHECK(lineMark("foobar") == 0xbf9cf968U);
 }
 
 TEST_CASE("40 students who send at once get their lines acknowledged and on the disk, each in order") {

@@ -85,8 +85,11 @@ TEST_CASE(
   CHECK(taken.refused == Refused::Broken);
   CHECK(taken.have == 3);
   CHECK(room.students()[s].attempts[0].hints() == 1);
-  // A batch that begins with lines that are there.
-  CHECK(room.take(s, "a", 2, {lines[2], eventLine(5.0, HintOpened{"one"})}, 5.0).have == 4);
+  // A batch that begins with lines that are there: the page must first see whose they are.
+  const ClassRoom::Taken partly = room.take(s, "a", 2, {lines[2], eventLine(5.0, HintOpened{"one"})}, 5.0);
+  CHECK(partly.refused == Refused::Gap);
+  CHECK(partly.have == 3);
+  CHECK(room.take(s, "a", 3, {eventLine(5.0, HintOpened{"one"})}, 5.0).have == 4);
   CHECK(room.students()[s].attempts[0].hints() == 2);
 }
 

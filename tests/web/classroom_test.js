@@ -24,6 +24,11 @@ same(page.linesFrom(three, 0), [['{"a":1}', '{"b":"ü"}', '{"c":3}'], 27]);
 same(page.linesFrom(three, 0, 10), [['{"a":1}'], 8]);
 same(page.linesFrom(three, 0, 1), [['{"a":1}'], 8]);
 same(page.linesFrom(three, 0, 1000, 2), [['{"a":1}', '{"b":"ü"}'], 19]);
+assert.strictEqual(page.markOf(""), 0x811c9dc5);
+assert.strictEqual(page.markOf("a"), 0xe40c292c);       // FNV-1a's published values of "a" and "foobar"
+assert.strictEqual(page.markOf("foobar"), 0xbf9cf968);
+assert.strictEqual(page.keyOf("a.jsonl", 1), "a-2");
+assert.ok(page.keyOf("x".repeat(200), 8).length <= 100);
 same(page.linesFrom(three, 27), [[], 27]);
 assert.strictEqual(page.behind(three, 2), 19);
 assert.strictEqual(page.behind(three, 4), -1);
@@ -42,19 +47,22 @@ function server() {
     if (body.attempt) {
       const have = kept.get(body.attempt) || [];
       kept.set(body.attempt, have);
-      if (body.from > have.length) status = 409;
-      else if (have.length + body.lines.length > it.limit) status = 507;
+      const first = have.length - body.from;
+      if (first < 0 || (first > 0 && first < body.lines.length)) status = 409;
+      else if (!first && have.length + body.lines.length > it.limit) status = 507;
       else have.push(...body.lines.slice(have.length - body.from));
       json.have = have.length;
+      if (have.length) json.last = page.markOf(have.at(-1));
     }
     if (it.lose_answer) { it.lose_answer = false; throw new Error("the answer is lost"); }
     return {status, json};
   };
   return it;
 }
-function student(at, files) {
+function student(at, files, stored = {}) {
   const said = [], held = [];
-  const sender = new page.Sender("token", {files: () => Object.keys(files), read: (name) => bytes(files[name]),
+  const read = (name, all) => bytes(files[name]).subarray(0, all ? Infinity : stored[name] ?? Infinity);
+  const sender = new page.Sender("token", {files: () => Object.keys(files), read,
                                            said: (key) => said.push(key), held: (table) => held.push(table)}, at.ask);
   return {sender, said, held, files};
 }
@@ -138,6 +146,109 @@ const line = (k) => JSON.stringify({kind: "still", t: k}) + "\n";
   await full.sender.step(1);
   same(full.said, ["refused"]);
   assert.strictEqual(full.sender.next(), null);
+
+  // A page that was killed after the server had five lines of which the browser had stored three, and that has written two
+  // others since: all five of the page arrive, the first three twice.
+  const killed = server(), back = student(killed, {"a.jsonl": line(0) + line(1) + line(2) + line(30) + line(40)});
+  killed.kept.set("a", [0, 1, 2, 3, 4].map((k) => line(k).trim()));
+  await back.sender.step(1);
+  same(killed.kept.get("a"), [0, 1, 2, 3, 4].map((k) => line(k).trim()));
+  same(killed.kept.get("a-2"), [0, 1, 2, 30, 40].map((k) => line(k).trim()));
+  back.files["a.jsonl"] += line(50);
+  await back.sender.step(2e5);
+  same(killed.kept.get("a-2").at(-1), line(50).trim());
+  assert.strictEqual(killed.kept.get("a").length, 5);
+  // The same page before it has written more, and again after it was loaded a second time.
+  const sooner = student(killed, {"b.jsonl": line(0)});
+  killed.kept.set("b", [line(0).trim(), line(1).trim()]);
+  await sooner.sender.step(1);
+  same(killed.kept.get("b-2"), [line(0).trim()]);
+  const third = student(killed, {"b.jsonl": line(0) + line(9)});
+  await third.sender.step(1);
+  same(killed.kept.get("b"), [line(0).trim(), line(1).trim()]);
+  same(killed.kept.get("b-2"), [line(0).trim(), line(9).trim()]);
+  // Two pages of a browser without BroadcastChannel write the same attempt: no line of either is missing.
+  const both = server(), left_tab = student(both, {"a.jsonl": line(0) + line(1)}), right_tab = student(both, {"a.jsonl": line(0) + line(1)});
+  await left_tab.sender.step(1);
+  await right_tab.sender.step(1);
+  left_tab.files["a.jsonl"] += line(2);
+  right_tab.files["a.jsonl"] += line(3) + line(4);
+  await left_tab.sender.step(1e5);
+  await right_tab.sender.step(1e5);
+  left_tab.files["a.jsonl"] += line(5);
+  await left_tab.sender.step(2e5);
+  const all_lines = [...both.kept.values()].flat();
+  for (const k of [2, 3, 4, 5]) assert.ok(all_lines.includes(line(k).trim()), String(k));
+  // Only what the browser has stored is sent, but by a page that closes.
+  const careful = server(), stored = {"a.jsonl": line(0).length};
+  const slow = student(careful, {"a.jsonl": line(0) + line(1)}, stored);
+  await slow.sender.step(1);
+  same(careful.kept.get("a"), [line(0).trim()]);
+  slow.sender.last();
+  assert.strictEqual(careful.kept.get("a").length, 2);
+  const loaded = student(careful, {"a.jsonl": line(0) + line(1)}, stored);  // the last line came back, and is not yet stored
+  await loaded.sender.step(1);
+  same([...careful.kept.keys()], ["a"]);
+
+  // Answers without a number of lines: a file that cannot be read is left out, a server that asks to wait is not lost, and
+  // one that has another class is said to be gone, until the class is back.
+  const answers = (status, json = {}) => Object.assign(server(), {ask: async () => ({status, json})});
+  for (const status of [400, 413, 415]) {
+    const odd = student(answers(status), {"a.jsonl": line(0)});
+    await odd.sender.step(1);
+    same(odd.said, ["refused"]);
+    assert.strictEqual(odd.sender.next(), null);
+  }
+  for (const status of [429, 503]) {
+    const busy = student(answers(status), {"a.jsonl": line(0)});
+    await busy.sender.step(1);
+    same(busy.said, []);
+    assert.ok(busy.sender.wait_until_ms > 1000);
+  }
+  const other = student(answers(404), {"a.jsonl": line(0)});
+  await other.sender.step(1);
+  same(other.said, ["gone"]);
+  await other.sender.step(1e5);
+  same(other.said, ["gone"]);
+  other.sender.ask = server().ask;
+  await other.sender.step(2e5);
+  same(other.said, ["gone", "back"]);
+  // The end of a class is not "all has arrived" if something was refused.
+  const some = student(Object.assign(server(), {limit: 1, ended: true}), {"a.jsonl": line(0) + line(1)});
+  await some.sender.step(1);
+  same(some.said, ["refused", "ended, some kept"]);
+  // A body that is too large by a line is sent line by line.
+  const small = server(), few = student(small, {"a.jsonl": line(0) + line(1) + line(2)}), take = small.ask;
+  few.sender.ask = async (where, body) => body.lines?.length > 1 ? {status: 413, json: {}} : take(where, body);
+  await few.sender.step(1);
+  assert.strictEqual(small.kept.get("a").length, 3);
+
+  // One tab per student: the older one stores, leaves and is answered for; without another tab nobody waits long.
+  const channels = new Set();
+  class Channel {
+    constructor(name) { this.name = name; channels.add(this); }
+    postMessage(data) { for (const one of channels) if (one !== this && one.name === this.name) queueMicrotask(() => one.onmessage?.({data})); }
+  }
+  const events = [];
+  const older = page.turnOf("class/7", Channel, 20, 2000);
+  await older.ready;
+  older.leave = async () => { await new Promise((done) => setTimeout(done, 60)); events.push("stored"); };
+  const stranger_tab = page.turnOf("class/8", Channel, 20, 2000);
+  await stranger_tab.ready;
+  assert.ok(!older.taken);
+  const newer = page.turnOf("class/7", Channel, 20, 2000);
+  await newer.ready;
+  events.push("ready");
+  same(events, ["stored", "ready"]);
+  assert.ok(older.taken && !newer.taken);
+
+  // All students of a browser are kept, the latest first; what an earlier version kept is one of them.
+  const anna = {name: "Anna", token: "t1", number: 1}, ben = {name: "Ben", token: "t2", number: 2};
+  same(page.studentsIn(null), []);
+  same(page.studentsIn("{broken"), []);
+  same(page.studentsIn(JSON.stringify(anna)), [anna]);
+  same(page.withStudent(page.studentsIn(JSON.stringify([anna])), ben), [ben, anna]);
+  same(page.withStudent([ben, anna], anna), [anna, ben]);
 
   // A large attempt goes in pieces below the server's limit.
   const large = server(), much = student(large, {"a.jsonl": Array.from({length: 900}, (_, k) => JSON.stringify({k, x: "y".repeat(1000)}) + "\n").join("")});
