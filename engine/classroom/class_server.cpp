@@ -1,6 +1,7 @@
 #include "engine/classroom/class_server.h"
 
 #include <httplib.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,9 +16,10 @@ namespace {
 // A connection keeps a thread while its page travels, which takes a slow telephone a minute. So there are more threads than
 // students; most of them sleep.
 constexpr std::size_t kAnswerThreads = kMaxStudents + 64;
-constexpr int kMaxListeners = 16, kTimeout_s = 15;
+constexpr int kMaxListeners = 16, kTimeout_s = 15, kWaitingConnections = 512;
 constexpr std::chrono::milliseconds kEventEvery{1000}, kStopEvery{100};
-constexpr std::chrono::seconds kBeat{10};
+constexpr std::chrono::seconds kBeat{10}, kGoodFor{60};
+constexpr std::chrono::milliseconds kGiveUpAfter{10000};
 
 void giveReply(const ClassReply& reply, httplib::Response& to) {
   to.status = reply.status;
@@ -43,6 +45,15 @@ struct ClassServer::Impl {
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
   std::atomic<bool> stopping{false};
   std::atomic<int> listeners{0};
+  socket_t socket = INVALID_SOCKET;  // that listens
+  std::string address;
+  int port = 0;
+
+  // The library asks for a queue of 5 connections; a class that opens the page at the same moment is longer, and each
+  // connection beyond it waits a second or more. Linux takes the length of a later call.
+  void lengthenQueue() const {
+    if (socket != INVALID_SOCKET) (void)::listen(socket, kWaitingConnections);
+  }
 
   double now_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); }
 
@@ -106,17 +117,26 @@ ClassServer::ClassServer() : impl_(std::make_unique<Impl>()) {
   http.set_write_timeout(kTimeout_s);
   http.set_payload_max_length(kMaxClassBody);
   http.set_tcp_nodelay(true);
+  // Not the library's SO_REUSEPORT, with which a second class of the same account would share the port.
+  http.set_socket_options([this](socket_t socket) {
+    const int yes = 1;
+    (void)::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    impl_->socket = socket;
+  });
 }
 
 ClassServer::~ClassServer() = default;
 
 Expected<int> ClassServer::bind(bool share, int port) {
-  const char* address = share ? "0.0.0.0" : "127.0.0.1";
-  if (port == 0) {
-    const int any = impl_->http.bind_to_any_port(address);
-    if (any > 0) return any;
-  } else if (impl_->http.bind_to_port(address, port)) {
-    return port;
+  impl_->address = share ? "0.0.0.0" : "127.0.0.1";
+  int bound = port;
+  if (port == 0)
+    bound = impl_->http.bind_to_any_port(impl_->address);
+  else if (!impl_->http.bind_to_port(impl_->address, port))
+    bound = -1;
+  if (bound > 0) {
+    impl_->lengthenQueue();
+    return impl_->port = bound;
   }
   return Problem{{},
                  0,
@@ -166,14 +186,29 @@ bool ClassServer::serve(ClassRequests& requests, const std::function<bool()>& st
   });
   http.set_exception_handler(
       [](const httplib::Request&, httplib::Response& to, std::exception_ptr) { to.status = 500; });
+  // The library stops to accept after some errors of the system that pass, such as a full table of files. So it begins again.
   std::atomic<bool> served{true};
-  auto accepting = std::thread([&] { served = http.listen_after_bind(); });
-  while (!stop() && served) std::this_thread::sleep_for(kStopEvery);
-  const bool good = served;
+  auto accepting = std::thread([&] {
+    auto again = kStopEvery;
+    while (!impl_->stopping) {
+      const auto began = std::chrono::steady_clock::now();
+      (void)http.listen_after_bind();
+      if (impl_->stopping) break;
+      if (std::chrono::steady_clock::now() - began > kGoodFor) again = kStopEvery;
+      std::this_thread::sleep_for(again);
+      if ((again *= 2) > kGiveUpAfter) break;
+      if (http.bind_to_port(impl_->address, impl_->port)) impl_->lengthenQueue();
+    }
+    served = false;
+  });
+  bool asked = false;
+  while (served && !(asked = stop())) std::this_thread::sleep_for(kStopEvery);
   impl_->stopping = true;
+  // stop() does nothing before the thread has begun to accept.
+  while (served && !http.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   http.stop();
   accepting.join();
-  return good;
+  return asked;
 }
 
 }  // namespace moltact

@@ -18,7 +18,8 @@ class ClassServer {
 
   /// Takes a port of the loopback, or with `share` of all network interfaces; 0: any free one. Returns the port.
   Expected<int> bind(bool share, int port);
-  /// Answers until `stop` returns true, which is asked ten times a second. Returns false if the port could not be served.
+  /// Answers until `stop` returns true, which is asked ten times a second. If the system stops to accept connections, it
+  /// binds again, for about 12 s. Returns false if it gave up.
   bool serve(ClassRequests& requests, const std::function<bool()>& stop);
 
  private:

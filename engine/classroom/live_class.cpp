@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kCodeSigns = 6, kTeacherSigns = 26, kMaxClassLessons = 60;
+constexpr std::size_t kCodeSigns = 8, kTeacherSigns = 26, kMaxClassLessons = 60;
 
 struct ChosenLessons {
   std::vector<ClassLesson> outlines;

@@ -83,6 +83,35 @@ TEST_CASE("an answer that leads or skips forward over the held step does not lea
   }
 }
 
+TEST_CASE("with a hold at the third step, who has an open task at the first waits for the task, and not for the class") {
+  LessonReading read = readLessonText(
+      "/tmp/folder/steps.md",
+      "---\ntitle: T\nminutes: 1\ngoals:\n- One\nmolecules: mix\nauthor: A\nlicence: L\n---\n## A\n```scene\nmolecule: "
+      "mix\n```\n```touch\nreach: all\nsay: Touch.\n```\n## B\nText.\n## C\nText.\n## D\nText.\n");
+  for (const Problem& p : read.errors) MESSAGE(p.text());
+  REQUIRE(read.lesson);
+  read.lesson->steps[0].required = true;
+  LessonSession s(std::make_shared<const Lesson>(*std::move(read.lesson)));
+  const Held held("steps", 2);
+  CHECK_FALSE(s.mayGoOn());
+  CHECK_FALSE(s.heldByClass());
+  classHolds()["steps"] = 0;
+  CHECK(s.heldByClass());
+}
+
+TEST_CASE("at the held step the class is what holds, and an answer that leads over it as well") {
+  LessonSession s(heldLesson("if right: go to #d\n"));
+  s.next();
+  CHECK_FALSE(s.heldByClass());
+  s.choose(0, {1});
+  {
+    const Held held("steps", 2);
+    CHECK(s.heldByClass());
+  }
+  const Held held("steps", 1);
+  CHECK(s.heldByClass());
+}
+
 TEST_CASE("another lesson that is held does not hold this one") {
   LessonSession s(heldLesson());
   const Held held("other", 0);

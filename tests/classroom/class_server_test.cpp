@@ -68,7 +68,7 @@ LessonOutline firstTouch() {
 TEST_CASE(
     "a class is served, killed while 8 students send, and started again: every acknowledged line is there, once") {
   RunningClass room;
-  CHECK(room.code.size() == 6);
+  CHECK(room.code.size() == 8);
   CHECK(room.teacher.size() == 26);
   const HttpAnswer page = room.get("/" + room.code + "/");
   CHECK(page.status == 200);

@@ -18,7 +18,6 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
-#include "engine/lesson/class_hold.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/scene_link.h"
 
@@ -76,7 +75,7 @@ void drawFoot(Application& app, const LessonSession& session) {
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
   const bool last = app.lesson.atLastStep(), waits = !last && !session.mayGoOn();
-  const bool held = waits && !classHolds().empty() && classHolds().contains(lessonName(session.lesson().file).id);
+  const bool held = waits && session.heldByClass();
   const char* label = held    ? tr("Your class waits here")
                       : waits ? tr("Finish this step first")
                       : last  ? tr("To the end")
