@@ -25,14 +25,30 @@ struct ClassArguments {
 };
 
 // "2026-11-28-061449", of the time in UTC.
-std::string classFolderName() {
+std::string classFolderName(std::chrono::system_clock::time_point time) {
   std::string out;
-  for (const char c : utcText(std::chrono::system_clock::now()))
+  for (const char c : utcText(time))
     if (c == 'T')
       out += '-';
     else if (c != ':' && c != 'Z')
       out += c;
   return out;
+}
+
+std::string goOnCommand(const fs::path& folder) { return "moltact class --folder '" + folder.string() + "'"; }
+
+// After a crash, whoever types the first command again begins another class, which no student's page knows.
+void tellOfOpenClass(const fs::path& classes) {
+  const std::string oldest = classFolderName(std::chrono::system_clock::now() - std::chrono::hours(12));
+  fs::path newest;
+  std::error_code error;
+  for (const fs::directory_entry& one : fs::directory_iterator(classes, error))
+    if (one.path().filename().string() > oldest && one.path() > newest) newest = one.path();
+  if (newest.empty() || !classIsOpen(newest)) return;
+  out()
+      << tr("This is a new class. An earlier one of the last 12 hours was not ended. To go on with that one, stop this "
+            "one with Ctrl+C and give the command:")
+      << "\n\n    " << goOnCommand(newest) << "\n\n";
 }
 
 void tellTeacher(const LiveClassNews& news, const LiveClassOptions& options) {
@@ -47,7 +63,17 @@ void tellTeacher(const LiveClassNews& news, const LiveClassOptions& options) {
             << '\n';
     if (news.ended) out() << tr("It has ended: nobody can join, and late work still arrives.") << '\n';
     out() << '\n' << tr("Students open:") << "\n\n    " << news.address << "\n\n";
-    if (options.share)
+    if (!news.others.empty()) {
+      out() << tr("If that address does not answer, this computer has others:") << "\n\n";
+      for (const std::string& other : news.others) out() << "    " << other << '\n';
+      out() << '\n';
+    }
+    if (news.alone)
+      out()
+          << tr("This computer is in no network now, so that nobody else reaches the class. Connect it, and start the "
+                "command again with this class's folder.")
+          << '\n';
+    else if (news.shared)
       out() << Lines{news.qr} << '\n'
             << tr("Shared: every computer and telephone in this network reaches the class, and whoever has the address "
                   "can join it. The connection is not encrypted: others in the network can read names and answers.")
@@ -63,8 +89,7 @@ void tellTeacher(const LiveClassNews& news, const LiveClassOptions& options) {
   }
   out() << '\n';
   if (!news.report.empty()) out() << trf("Report: {0}", news.report.string()) << '\n';
-  if (!news.ended)
-    out() << trf("To go on with this class: moltact class --folder {0}", options.folder.string()) << '\n';
+  if (!news.ended) out() << trf("To go on with this class: {0}", goOnCommand(fs::absolute(options.folder))) << '\n';
 }
 
 void run(const ClassArguments& arguments) {
@@ -80,7 +105,8 @@ void run(const ClassArguments& arguments) {
   if (arguments.folder.empty()) {
     if (userDataFolder().empty())
       throw CommandError{tr("this computer names no folder for the class; name one with --folder")};
-    options.folder = userDataFolder() / "classes" / classFolderName();
+    options.folder = userDataFolder() / "classes" / classFolderName(std::chrono::system_clock::now());
+    tellOfOpenClass(options.folder.parent_path());
   } else {
     options.folder = arguments.folder;
   }

@@ -140,6 +140,8 @@ ClassReply ClassRequests::answer(const ClassRequest& request) {
   path.remove_prefix(1);
   constexpr std::string_view kTeacher = "teacher/";
   const bool teacher = path.starts_with(kTeacher);
+  // The teacher's address is of this computer only, so that its token in a photograph opens nothing.
+  if (teacher && !request.remote.starts_with("127.") && request.remote != "::1") return nothingHere();
   if (teacher) path.remove_prefix(kTeacher.size());
   const std::size_t slash = path.find('/');
   const std::string_view secret = path.substr(0, slash);
@@ -174,6 +176,12 @@ ClassReply ClassRequests::studentAnswer(std::string_view path, const ClassReques
     else
       out.whole = page_;
     return out;
+  }
+  if (path == "board") {
+    const std::lock_guard held(lock_);
+    std::size_t here = 0;
+    for (const LiveStudent& student : room_.students()) here += request.now_s - student.seen_s <= kAwayAfter_s;
+    return htmlReply(boardPage({site_.address, site_.shared}, here), kReportPolicy);
   }
   for (std::size_t k = 0; k < site_.lessons.size(); ++k)
     if (path == "lesson/" + std::to_string(k)) {
@@ -307,6 +315,9 @@ Expected<std::string> ClassRequests::writeReport() {
   std::string page =
       classPage(reading.summary, reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC");
   if (const auto problem = writeWhole(store_.folder() / "report.html", page, IfThere::Renew)) return *problem;
+  std::error_code error;
+  std::filesystem::permissions(store_.folder() / "report.html",
+                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
   return page;
 }
 

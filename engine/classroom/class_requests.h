@@ -1,7 +1,8 @@
 // Answers the requests of a live class: which page or act a request asks for, and whether it may. Knows HTTP's words but
 // no socket; class_server.cpp gives it what a connection brought. Many threads may call at once.
 //
-// Addresses: /CODE/ and below for students, /teacher/TOKEN/ and below for the teacher. No part of a request becomes part of
+// Addresses: /CODE/ and below for students and the projector (/CODE/board), /teacher/TOKEN/ and below for the teacher, who
+// must sit at this computer. No part of a request becomes part of
 // a file's name.
 #pragma once
 
@@ -92,7 +93,7 @@ class ClassRequests {
   mutable std::mutex lock_;  // of all below
   ClassRoom room_;
   std::vector<RateBucket> student_rates_;
-  RateByAddress joins_{{60.0, 1.0}}, guesses_{{20.0, 0.2}};
+  RateByAddress joins_{{double(kMaxStudents), 1.0}}, guesses_{{20.0, 0.2}};
   std::shared_ptr<const std::string> page_;
   std::string page_tag_;
 };

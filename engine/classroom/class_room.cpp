@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/classroom/secrets.h"
-#include "engine/lesson/lesson_files.h"
 #include "engine/results/attempt_lines.h"
 
 namespace moltact {
@@ -82,6 +81,23 @@ std::optional<double> leadingTime(std::string_view line) {
   return value >= 0.0 && value < 1e9 ? std::optional(value) : std::nullopt;
 }
 
+// Each choice once, however often a line repeats it.
+std::vector<std::size_t> chosenOnce(const std::vector<std::size_t>& chosen) {
+  std::vector<std::size_t> out;
+  for (std::size_t k = 0; k < chosen.size() && out.size() < kMaxKeptChoices; ++k)
+    if (std::find(out.begin(), out.end(), chosen[k]) == out.end()) out.push_back(chosen[k]);
+  return out;
+}
+
+// At most kMaxKeptCurvePoints of a curve, evenly, with its ends.
+std::vector<double> thinned(const std::vector<double>& values) {
+  if (values.size() <= kMaxKeptCurvePoints) return values;
+  std::vector<double> out;
+  for (std::size_t k = 0; k < kMaxKeptCurvePoints; ++k)
+    out.push_back(values[k * (values.size() - 1) / (kMaxKeptCurvePoints - 1)]);
+  return out;
+}
+
 struct LiveFacts {
   LiveAttempt& attempt;
   double t_s;
@@ -116,12 +132,15 @@ struct LiveFacts {
     std::size_t step = 0;
     if (!at(e.step, &step) || attempt.answers.size() >= kMaxKeptAnswers) return;
     const auto question = questionNumber(attempt.lesson.steps[step], e.question);
-    if (question) attempt.answers[{step, *question}] = {e.chosen, e.written.substr(0, 400), e.right};
+    if (question) attempt.answers[{step, *question}] = {chosenOnce(e.chosen), e.written.substr(0, 400), e.right};
   }
   void operator()(const CurveKept& e) const {
     std::size_t step = 0;
     if (e.felt || !at(e.step, &step) || attempt.curves.size() >= kMaxKeptCurves) return;
-    attempt.curves.insert_or_assign({step, e.task}, e);
+    if (e.task >= attempt.lesson.steps[step].tasks.size()) return;
+    CurveKept& kept = attempt.curves[{step, e.task}];
+    kept = e;
+    kept.force_N = thinned(e.force_N);
   }
   void operator()(const LessonReread& e) const {
     attempt.lesson = e.lesson;
@@ -155,8 +174,6 @@ std::uint32_t lineMark(std::string_view line) {
   return out;
 }
 
-std::string lessonIdOf(const LessonOutline& lesson) { return lessonName(lesson.file).id; }
-
 std::optional<LineRecord> lineRecord(std::string_view record) {
   LineRecord out;
   while (record.ends_with('\n')) record.remove_suffix(1);
@@ -174,7 +191,7 @@ std::optional<ClassRoom::Joined> ClassRoom::join(std::string_view name, std::str
   LiveStudent& student = students_.emplace_back();
   student.name = names_.take(name);
   student.token = std::move(token);
-  student.seen_s = now_s;
+  student.joined_s = student.seen_s = now_s;
   ++version_;
   out.record =
       recordText({{"kind", "joined"}, {"student", out.student}, {"name", student.name}, {"token", student.token}});
@@ -200,7 +217,7 @@ LiveAttempt& ClassRoom::attemptOf(LiveStudent& student, std::string_view key) {
 ClassRoom::Taken ClassRoom::take(std::size_t number, std::string_view key, std::size_t from,
                                  const std::vector<std::string>& lines, double now_s) {
   LiveStudent& student = students_[number];
-  student.seen_s = now_s;
+  seen(number, now_s);
   if (!isAttemptKey(key)) return {Refused::Broken, 0, {}};
   const auto known = std::find_if(student.attempts.begin(), student.attempts.end(),
                                   [&](const LiveAttempt& one) { return one.key == key; });
@@ -261,8 +278,9 @@ void ClassRoom::apply(LiveAttempt& attempt, std::string_view line) {
   if (!isShownKind(leadingKind(line))) return;
   const Expected<std::optional<AttemptEvent>> event = readEventLine(line);
   if (!event || !*event) return;
-  attempt.now_s = std::max(attempt.now_s, (*event)->t_s);
-  std::visit(LiveFacts{attempt, (*event)->t_s}, (*event)->what);
+  const double t_s = std::clamp((*event)->t_s, 0.0, kMaxAttemptTime_s);
+  attempt.now_s = std::max(attempt.now_s, t_s);
+  std::visit(LiveFacts{attempt, t_s}, (*event)->what);
 }
 
 std::string ClassRoom::hold(const std::string& lesson, std::size_t step) {
@@ -313,7 +331,7 @@ bool ClassRoom::restore(std::string_view record) {
     LiveStudent& student = students_.emplace_back();
     student.name = cleanName(text("name"));
     student.token = text("token");
-    student.seen_s = kNotSeen_s;
+    student.joined_s = student.seen_s = kNotSeen_s;
     names_.mark(student.name);
     return true;
   }

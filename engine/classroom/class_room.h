@@ -23,6 +23,8 @@ inline constexpr std::size_t kMaxAttemptKey = 100;                        ///< c
 inline constexpr std::size_t kMaxClassLine = std::size_t{512} << 10;      ///< unit: byte
 inline constexpr std::size_t kMaxBytesOfStudent = std::size_t{64} << 20;  ///< of all attempts; unit: byte
 inline constexpr double kNotSeen_s = -1e9;
+inline constexpr double kMaxAttemptTime_s = 1e9;
+inline constexpr std::size_t kMaxKeptChoices = 64, kMaxKeptCurvePoints = 200;  ///< of an answer, of a curve
 inline constexpr std::size_t kMaxKeptAnswers = 500, kMaxKeptCurves = 40;  ///< of an attempt, for the teacher's page
 
 /// A lesson that the teacher has chosen.
@@ -41,10 +43,10 @@ struct LiveAnswer {
 /// An attempt as far as its lines have come. Steps, questions and tasks are numbers from 0, which are the same in every
 /// language of a lesson. Times: second of use.
 struct LiveAttempt {
-  std::string key;        ///< as the student's page names it
-  std::size_t lines = 0;  ///< lines taken, with the header
+  std::string key;              ///< as the student's page names it
+  std::size_t lines = 0;        ///< lines taken, with the header
   std::uint32_t last_mark = 0;  ///< lineMark() of the last of them
-  LessonOutline lesson;   ///< as the student reads it; empty before the header
+  LessonOutline lesson;         ///< as the student reads it; empty before the header
   std::optional<std::size_t> step;
   double entered_s = 0.0, now_s = 0.0;
   struct Step {
@@ -66,6 +68,7 @@ struct LiveAttempt {
 
 struct LiveStudent {
   std::string name, token;
+  double joined_s = 0.0;              ///< first seen, after a restart too
   double seen_s = 0.0;                ///< of the caller's clock; kNotSeen_s after a restart
   std::vector<LiveAttempt> attempts;  ///< in the order in which they began
   std::size_t current = 0;            ///< the one that the last line belongs to
@@ -85,7 +88,11 @@ class ClassRoom {
 
   /// The student who has this token. Takes the same time for every wrong token of a length.
   std::optional<std::size_t> studentOf(std::string_view token) const;
-  void seen(std::size_t student, double now_s) { students_[student].seen_s = now_s; }
+  void seen(std::size_t student, double now_s) {
+    LiveStudent& one = students_[student];
+    if (one.joined_s == kNotSeen_s) one.joined_s = now_s;
+    one.seen_s = now_s;
+  }
 
   enum class Refused {
     No,
@@ -133,9 +140,6 @@ class ClassRoom {
   bool ended_ = false;
   std::uint64_t version_ = 0;
 };
-
-/// The name of a lesson without ending and language, from that of its file in an attempt.
-std::string lessonIdOf(const LessonOutline& lesson);
 
 /// FNV-1a (32 bits) of a line's bytes; app/web/classroom.js computes the same.
 std::uint32_t lineMark(std::string_view line);

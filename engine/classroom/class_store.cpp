@@ -22,8 +22,9 @@ constexpr std::size_t kLongestRecord = kMaxClassLine + 1000;
 constexpr std::size_t kOpenAttempts = 200;  // files open at once
 
 std::string identityRecord(const ClassIdentity& of) {
-  return nlohmann::ordered_json{{"kind", "class"}, {"format", 1},     {"code", of.code},  {"teacher", of.teacher},
-                                {"seed", of.seed}, {"port", of.port}, {"began", of.began}}
+  return nlohmann::ordered_json{{"kind", "class"},       {"format", 1},       {"code", of.code},
+                                {"teacher", of.teacher}, {"seed", of.seed},   {"port", of.port},
+                                {"began", of.began},     {"share", of.share}, {"lessons", of.lessons}}
              .dump() +
          '\n';
 }
@@ -41,6 +42,10 @@ std::optional<ClassIdentity> identityOf(const std::string& line) {
   out.began = j["began"];
   out.seed = j["seed"];
   out.port = j["port"].get<int>();
+  if (j.contains("share") && j["share"].is_boolean()) out.share = j["share"];
+  if (j.contains("lessons") && j["lessons"].is_array())
+    for (const nlohmann::json& lesson : j["lessons"])
+      if (lesson.is_string()) out.lessons.push_back(lesson);
   if (out.code.empty() || out.teacher.empty() || out.port < 0 || out.port > 65535) return std::nullopt;
   return out;
 }
@@ -63,6 +68,13 @@ std::string attemptFileName(std::size_t student, std::size_t attempt) {
   return text.data();
 }
 
+// The journal has the teacher's token and the answers; also in a folder that was there before and that others may read.
+void keepPrivate(const fs::path& folder, const fs::path& attempts) {
+  std::error_code error;
+  fs::permissions(folder / kJournal, fs::perms::owner_read | fs::perms::owner_write, error);
+  fs::permissions(attempts, fs::perms::owner_all, error);
+}
+
 Problem folderProblem(const fs::path& folder, const std::error_code& error) {
   return {folder.string(), 0, 0, trf("the folder cannot be made ({0})", error.message()),
           tr("allow writing there, or free some space")};
@@ -76,18 +88,27 @@ bool ClassStore::begun(const fs::path& folder) {
   return !error && bytes > 0;
 }
 
+bool ClassStore::open(const fs::path& folder) {
+  bool joined = false, ended = false;
+  forEachLine(folder / kJournal, [&](const std::string& line) {
+    joined = joined || line.starts_with(R"({"kind":"joined")");
+    ended = ended || line.starts_with(R"({"kind":"ended")");
+  });
+  return joined && !ended;
+}
+
 Expected<std::unique_ptr<ClassStore>> ClassStore::begin(const fs::path& folder, const ClassIdentity& identity) {
   std::unique_ptr<ClassStore> out(new ClassStore(folder));
   std::error_code error;
   const bool there = fs::is_directory(folder, error);
   fs::create_directories(out->attemptsFolder(), error);
   if (error) return folderProblem(folder, error);
-  // The journal contains the teacher's token and the answers.
   if (!there) fs::permissions(folder, fs::perms::owner_all, error);
   if (!begun(folder)) fs::remove(folder / kJournal, error);
   Expected<AppendFile> journal = AppendFile::open(folder / kJournal, AppendFile::Begin::New);
   if (!journal) return journal.problem();
   out->journal_.emplace(*std::move(journal));
+  keepPrivate(folder, out->attemptsFolder());
   out->identity_ = identity;
   if (auto problem = out->journal_->append(identityRecord(identity))) return *problem;
   if (auto problem = out->journal_->sync()) return *problem;
@@ -103,6 +124,7 @@ Expected<std::unique_ptr<ClassStore>> ClassStore::goOn(const fs::path& folder) {
   Expected<AppendFile> journal = AppendFile::open(file, AppendFile::Begin::Continue);
   if (!journal) return journal.problem();
   out->journal_.emplace(*std::move(journal));
+  keepPrivate(folder, out->attemptsFolder());
   std::optional<ClassIdentity> identity;
   bool first = true;
   const std::uintmax_t complete = forEachLine(file, [&](const std::string& line) {

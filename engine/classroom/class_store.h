@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/core/problem.h"
 #include "engine/platform/append_file.h"
@@ -22,13 +23,17 @@ struct ClassIdentity {
   std::string code, teacher;  ///< the class's code; the teacher's token
   std::uint64_t seed = 0;     ///< of the animals
   int port = 0;
-  std::string began;  ///< UTC
+  std::string began;                      ///< UTC
+  std::vector<std::string> lessons = {};  ///< as LiveClassOptions::lessons, files with absolute paths
+  bool share = false;
 };
 
 class ClassStore {
  public:
   /// Whether a class was begun in this folder.
   static bool begun(const std::filesystem::path& folder);
+  /// Whether somebody joined the class of this folder and nobody has ended it. Reads the journal.
+  static bool open(const std::filesystem::path& folder);
   /// Goes on with the class in this folder. An incomplete last record, which was never acknowledged, is cut off.
   static Expected<std::unique_ptr<ClassStore>> goOn(const std::filesystem::path& folder);
   /// Begins a class in a folder, which is made for its owner alone if it is new.

@@ -6,6 +6,7 @@
 
 #include "engine/classroom/stuck.h"
 #include "engine/core/text.h"
+#include "engine/core/utf8.h"
 #include "engine/results/lesson_language.h"
 
 namespace moltact {
@@ -22,22 +23,19 @@ struct AttemptAt {
 struct LessonAttempts {
   std::string id;
   LessonOutline lesson;
-  bool chosen = false;
   std::vector<AttemptAt> attempts;
 };
 
+// The attempts at the teacher's lessons. What a student opens besides, with any title and size, has a row and no card.
 std::vector<LessonAttempts> byLesson(const ClassRoom& room) {
   std::vector<LessonAttempts> out;
-  for (const ClassLesson& lesson : room.lessons()) out.push_back({lesson.id, lesson.outline, true, {}});
+  for (const ClassLesson& lesson : room.lessons()) out.push_back({lesson.id, lesson.outline, {}});
   for (std::size_t s = 0; s < room.students().size(); ++s)
     for (const LiveAttempt& attempt : room.students()[s].attempts) {
       if (attempt.lines == 0 || attempt.lesson.steps.empty()) continue;
       auto group = std::find_if(out.begin(), out.end(),
                                 [&](const LessonAttempts& one) { return sameLesson(one.lesson, attempt.lesson); });
-      if (group == out.end()) {
-        out.push_back({lessonIdOf(attempt.lesson), attempt.lesson, false, {}});
-        group = out.end() - 1;
-      }
+      if (group == out.end()) continue;
       if (!group->attempts.empty() && group->attempts.back().student == s) group->attempts.pop_back();
       group->attempts.push_back({s, &attempt});
     }
@@ -61,19 +59,28 @@ bool stuckAt(const LessonAttempts& of, const AttemptAt& one, std::optional<std::
   return isStuck(own.spent_s(*own.step), others);
 }
 
+std::string shownTitle(std::string_view title) {
+  std::string out;
+  std::size_t count = 0;
+  for (const char32_t c : charactersOf(title.substr(0, 4 * kMaxShownTitle)))
+    if (count++ < kMaxShownTitle) out += utf8Of(c);
+  return out;
+}
+
 StudentRow rowOf(const LiveStudent& student, double now_s) {
   StudentRow row;
   row.name = student.name;
   row.away = now_s - student.seen_s > kAwayAfter_s;
+  row.begun = !student.attempts.empty();
   if (student.current >= student.attempts.size()) return row;
   const LiveAttempt& attempt = student.attempts[student.current];
-  row.lesson = attempt.lesson.title;
+  row.lesson = shownTitle(attempt.lesson.title);
   row.done = attempt.done;
   row.of = attempt.of;
   row.hints = attempt.hints();
   row.finished = attempt.finished();
   if (!attempt.step) return row;
-  row.step = attempt.lesson.steps[*attempt.step].title;
+  row.step = shownTitle(attempt.lesson.steps[*attempt.step].title);
   row.step_number = *attempt.step + 1;
   row.on_step_s = attempt.spent_s(*attempt.step);
   const std::vector<char>& tasks = attempt.steps[*attempt.step].tasks_done;
@@ -129,6 +136,19 @@ void addMisconceptions(std::map<std::string, std::vector<std::string>>& into, co
     }
 }
 
+// Rows are still in the order of the room.
+void markUnbegun(ClassView& view, const ClassRoom& room, double now_s) {
+  const auto begun =
+      std::size_t(std::count_if(view.students.begin(), view.students.end(), [](const auto& row) { return row.begun; }));
+  if (begun < kStuckOthers || 4 * begun < 3 * (view.students.size() - 1)) return;
+  for (std::size_t k = 0; k < view.students.size(); ++k) {
+    StudentRow& row = view.students[k];
+    if (row.begun || row.away || now_s - room.students()[k].joined_s < kUnbegunAfter_s) continue;
+    row.stuck = true;
+    ++view.stuck;
+  }
+}
+
 }  // namespace
 
 ClassView viewOf(const ClassRoom& room, double now_s) {
@@ -139,14 +159,13 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
     ++(out.students.back().away ? out.away : out.here);
     out.finished += out.students.back().finished;
   }
+  markUnbegun(out, room, now_s);
   std::map<std::string, std::vector<std::string>> misconceptions;
   for (const LessonAttempts& group : byLesson(room)) {
     LessonView view;
     view.id = group.id;
     view.title = group.lesson.title;
-    view.steerable = group.chosen;
-    if (const auto held = room.held().find(group.id); group.chosen && held != room.held().end())
-      view.held = held->second;
+    if (const auto held = room.held().find(group.id); held != room.held().end()) view.held = held->second;
     for (const StepOutline& step : group.lesson.steps)
       view.steps.push_back({step.title, 0, 0, 0, 0, step.aside, false});
     if (view.held && *view.held < view.steps.size()) view.steps[*view.held].held = true;

@@ -12,6 +12,10 @@ namespace moltact {
 
 /// A student whose page has not been heard for longer is away (unit: second). A page speaks every two seconds.
 inline constexpr double kAwayAfter_s = 15.0;
+/// Who joined so long ago (unit: second) and has no attempt is stuck, if three quarters of the others have begun, and at
+/// least three of them.
+inline constexpr double kUnbegunAfter_s = 60.0;
+inline constexpr std::size_t kMaxShownTitle = 200;  ///< characters of a title that a student's page sent
 
 struct StudentRow {
   std::string name;
@@ -21,6 +25,7 @@ struct StudentRow {
   std::size_t task = 0, tasks = 0;  ///< the task under way, from 1, of all of the step; 0: all done or none
   std::size_t done = 0, of = 0, hints = 0;
   double on_step_s = 0.0;
+  bool begun = false;  ///< has an attempt
   bool stuck = false, away = false, finished = false;
 };
 
@@ -55,7 +60,6 @@ struct CurvePlot {
 struct LessonView {
   std::string id, title;
   std::size_t students = 0;
-  bool steerable = false;  ///< one of the lessons that the teacher chose
   std::optional<std::size_t> held;
   std::vector<StepRow> steps;
   std::vector<PredictionPlot> predictions;
@@ -64,7 +68,7 @@ struct LessonView {
 
 struct ClassView {
   std::vector<StudentRow> students;              ///< those who are stuck first, then by name
-  std::vector<LessonView> lessons;               ///< those with students first
+  std::vector<LessonView> lessons;               ///< the teacher's; those with students first
   std::vector<MisconceptionRow> misconceptions;  ///< the most frequent first
   std::size_t here = 0, away = 0, stuck = 0, finished = 0;
   bool ended = false;

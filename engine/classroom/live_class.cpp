@@ -48,6 +48,12 @@ fs::path lessonFileOf(const std::string& named) {
   return lessonsFolder() / (named + ".md");
 }
 
+// The same lesson for a command in another folder.
+std::string lastingName(const std::string& named) {
+  std::error_code error;
+  return fs::exists(named, error) ? fs::absolute(named, error).string() : named;
+}
+
 Expected<ChosenLessons> chosenLessons(const std::vector<std::string>& named,
                                       const std::function<void(const std::string&)>& note) {
   ChosenLessons out;
@@ -93,6 +99,7 @@ std::vector<std::string> hostsOf(bool share, int port) {
   if (share) {
     const LocalAddresses local = localAddresses();
     names = local.ip;
+    if (names.empty()) names.emplace_back("127.0.0.1");  // in no network
     if (!local.host.empty()) {
       names.push_back(lower(local.host));
       names.push_back(lower(local.host) + ".local");
@@ -112,26 +119,30 @@ Expected<int> bindPort(ClassServer& server, const LiveClassOptions& options, con
 
 }  // namespace
 
-std::optional<Problem> runLiveClass(const LiveClassOptions& options,
+bool classIsOpen(const fs::path& folder) { return ClassStore::open(folder); }
+
+std::optional<Problem> runLiveClass(const LiveClassOptions& given,
                                     const std::function<void(const LiveClassNews&)>& news,
                                     const std::function<bool()>& stop) {
-  Expected<std::string> page =
-      readFile(options.page, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
+  Expected<std::string> page = readFile(given.page, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
   if (!page) return page.problem();
+  std::unique_ptr<ClassStore> store;
+  const bool resumed = ClassStore::begun(given.folder);
+  if (resumed) {
+    Expected<std::unique_ptr<ClassStore>> opened = ClassStore::goOn(given.folder);
+    if (!opened) return opened.problem();
+    store = *std::move(opened);
+  }
+  // A class that goes on has its lessons and its share, unless the command names others.
+  LiveClassOptions options = given;
+  if (store && options.lessons.empty()) options.lessons = store->identity().lessons;
+  if (store) options.share = options.share || store->identity().share;
   Expected<ChosenLessons> lessons = chosenLessons(options.lessons, [&](const std::string& text) {
     LiveClassNews note;
     note.text = text;
     news(note);
   });
   if (!lessons) return lessons.problem();
-
-  std::unique_ptr<ClassStore> store;
-  const bool resumed = ClassStore::begun(options.folder);
-  if (resumed) {
-    Expected<std::unique_ptr<ClassStore>> opened = ClassStore::goOn(options.folder);
-    if (!opened) return opened.problem();
-    store = *std::move(opened);
-  }
   ClassServer server;
   const Expected<int> port = bindPort(server, options, store.get());
   if (!port) return port.problem();
@@ -142,6 +153,8 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& options,
     identity.seed = hash64(randomBytes(16)) >> 1;
     identity.port = *port;
     identity.began = utcText(std::chrono::system_clock::now());
+    identity.share = options.share;
+    for (const std::string& one : options.lessons) identity.lessons.push_back(lastingName(one));
     Expected<std::unique_ptr<ClassStore>> begun = ClassStore::begin(options.folder, identity);
     if (!begun) return begun.problem();
     store = *std::move(begun);
@@ -159,6 +172,13 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& options,
   LiveClassNews started;
   started.kind = LiveClassNews::Kind::Started;
   started.address = site.address;
+  started.shared = options.share;
+  if (options.share) {
+    const std::vector<std::string> ip = localAddresses().ip;
+    started.alone = ip.empty();
+    for (std::size_t k = 1; k < ip.size(); ++k)
+      started.others.push_back("http://" + withPort(ip[k], *port) + '/' + store->identity().code + '/');
+  }
   started.teacher = "http://" + withPort("127.0.0.1", *port) + "/teacher/" + store->identity().teacher + '/';
   if (options.share) started.qr = qrText(qrCode(site.address));
   started.resumed = resumed;
@@ -171,12 +191,14 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& options,
     return problem;
   }
   news(started);
-  if (!server.serve(**requests, stop))
+  if (!server.serve(**requests, stop)) {
+    (void)(*requests)->writeReport();
     return Problem{{},
                    0,
                    0,
                    trf("the port {0} of this computer cannot be served", *port),
                    tr("end the program that uses it, or choose another with --port")};
+  }
 
   LiveClassNews stopped;
   stopped.kind = LiveClassNews::Kind::Stopped;

@@ -4,6 +4,8 @@
 
 namespace moltact {
 
+bool classIsOpen(const std::filesystem::path&) { return false; }
+
 std::optional<Problem> runLiveClass(const LiveClassOptions&, const std::function<void(const LiveClassNews&)>&,
                                     const std::function<bool()>&) {
   return Problem{

@@ -20,7 +20,7 @@ std::string tile(std::size_t count, const char* words, const char* look) {
 }
 
 std::string minutes(double time_s) {
-  const auto whole = static_cast<long long>(std::max(0.0, time_s));
+  const auto whole = static_cast<long long>(std::clamp(time_s, 0.0, 1e9));
   const std::string seconds = std::to_string(whole % 60);
   return std::to_string(whole / 60) + ":" + (seconds.size() < 2 ? "0" : "") + seconds;
 }
@@ -37,7 +37,8 @@ std::string tilesPart(const ClassView& view) {
 std::string stateOf(const StudentRow& row) {
   if (row.finished) return std::string("<span class=\"mark good\">✓ ") + tr("finished") + "</span>";
   if (row.away) return std::string("<span class=\"mark\">") + tr("away") + "</span>";
-  if (row.stuck) return std::string("<span class=\"mark warn\">! ") + tr("stuck") + "</span>";
+  if (row.stuck)
+    return std::string("<span class=\"mark warn\">! ") + (row.begun ? tr("stuck") : tr("has not begun")) + "</span>";
   return {};
 }
 
@@ -91,7 +92,7 @@ std::string stepsPart(const ClassView& view) {
              std::to_string(most) + "\" value=\"" + std::to_string(step.here) + "\"></meter> " +
              (step.here ? std::to_string(step.here) : "") + "</td><td class=\"n\">" + std::to_string(step.reached) +
              "</td><td class=\"n\">" + (step.hints ? std::to_string(step.hints) : "") + "</td><td class=\"n\">";
-      if (lesson.steerable && !step.aside && !step.held)
+      if (!step.aside && !step.held)
         out += "<button class=\"small\" data-do=\"hold\" id=\"hold-" + escaped(lesson.id) + "-" + std::to_string(k) +
                "\" data-lesson=\"" + escaped(lesson.id) + "\" data-step=\"" + std::to_string(k) + "\">" +
                tr("Hold here") + "</button>";
@@ -188,6 +189,22 @@ std::vector<std::pair<std::string, std::string>> teacherParts(const ClassView& v
           {"answers", answersPart(view)}};
 }
 
+std::string boardPage(const TeacherPageFacts& facts, std::size_t here) {
+  std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
+                    "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
+                    "initial-scale=1\"><meta http-equiv=\"refresh\" content=\"5\"><title>" +
+                    tr("Live class") + "</title><style>" + teacherStyle() +
+                    "</style></head><body class=\"board\"><main><p>" + tr("Open this address") +
+                    "</p><p class=\"big\">" + escaped(facts.address) + "</p>";
+  if (facts.shared)
+    out += qrSvg(qrCode(facts.address), facts.address);
+  else
+    out += std::string("<p class=\"quiet\">") +
+           tr("It works on this computer only. Start the class with --share to let the room in.") + "</p>";
+  return out + "<p>" + std::to_string(here) + " " + trn("student here", "students here", here) +
+         "</p></main></body></html>\n";
+}
+
 std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
   const std::string title = tr("Live class");
   const auto parts = teacherParts(view);
@@ -199,7 +216,9 @@ std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
                     "<script src=\"class.js\" defer></script></head><body><main>";
   out += "<header><div><h1>" + title + "</h1><p id=\"lost\" role=\"status\" hidden>" +
          tr("The class's server does not answer. This page tries again.") +
-         "</p></div><nav><a class=\"button\" href=\"report\" target=\"_blank\">" + tr("Report") +
+         "</p></div><nav><a class=\"button\" href=\"" + escaped(facts.address) +
+         "board\" target=\"_blank\" rel=\"noopener\">" + tr("For the projector") +
+         "</a><a class=\"button\" href=\"report\" target=\"_blank\">" + tr("Report") +
          "</a><button data-do=\"end\" data-sure=\"" +
          escaped(tr("End the class for all? Students can then no longer join.")) + "\">" + tr("End the class") +
          "</button></nav></header>";
@@ -208,7 +227,9 @@ std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
   if (!facts.shared)
     out += std::string("<p class=\"quiet\">") +
            tr("It works on this computer only. Start the class with --share to let the room in.") + "</p>";
-  out += "</div>" + (facts.shared ? qrSvg(qrCode(facts.address), facts.address) : std::string()) + "</section>";
+  out += std::string("<p class=\"quiet\">") +
+         tr("Do not show this page to the class: it has names and answers. The projector has a page of its own.") +
+         "</p></div></section>";
   out += part(0) + "<h2>" + tr("Who is where") + "</h2><div class=\"card scroll\">" + part(1) + "</div><h2>" +
          tr("Steps") + "</h2>" + part(2) + "<h2>" + tr("Answers") + "</h2>" + part(3);
   return out + "</main></body></html>\n";
@@ -243,6 +264,7 @@ meter::-webkit-meter-optimum-value,progress::-webkit-progress-value{background:v
 meter::-moz-meter-bar,progress::-moz-progress-bar{background:var(--accent);border-radius:6px}meter.warn::-moz-meter-bar{background:var(--warn)}
 .bars{list-style:none;margin:8px 0 0;padding:0}.bars li{display:grid;grid-template-columns:minmax(8em,1.4fr) minmax(100px,1fr) 2.4em;gap:4px 14px;align-items:center;padding:5px 0}
 .bars small{display:block}.bars meter{width:100%;height:16px}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
+.board main{text-align:center;font-size:24px}.board .big{font-size:clamp(28px,5vw,72px)}.board .qr{width:min(60vh,80vw);margin:16px auto}
 svg{max-width:100%;display:block}.curves{max-width:620px}.grid{stroke:var(--line);fill:none}.axis{font-size:11px;fill:var(--quiet)}.drawn{fill:none;stroke:var(--accent);stroke-width:2;stroke-opacity:.45;stroke-linejoin:round}
 #lost{color:var(--warn);font-weight:600}
 )css";

@@ -1,7 +1,8 @@
-// The teacher's page of a live class: HTML with every name escaped, a style sheet and a script of its own. Pure functions;
+// The pages of a live class for the teacher and the projector: HTML with every name escaped, a style sheet and a script of its own. Pure functions;
 // any thread but the haptic one.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,10 @@ struct TeacherPageFacts {
   std::string address;  ///< for students
   bool shared = false;  ///< other computers reach it
 };
+
+/// The page for the projector: the students' address, large and as a QR code, and how many students are here. It has no
+/// name, answer or secret of the teacher, and loads itself again every 5 s.
+std::string boardPage(const TeacherPageFacts& facts, std::size_t here);
 
 std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts);
 /// The parts that change, by the id of their element.

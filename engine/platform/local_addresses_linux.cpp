@@ -2,6 +2,7 @@
 #include <ifaddrs.h>
 #include <net/if.h>
 #include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +12,27 @@
 #include "engine/platform/local_addresses.h"
 
 namespace moltact {
+namespace {
+
+// The address from which this computer reaches others beyond its network; empty if it reaches none. Connecting a datagram
+// socket chooses the interface and sends nothing. 192.0.2.1 is nobody's (RFC 5737).
+std::string addressOfDefaultRoute() {
+  const int handle = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (handle < 0) return {};
+  sockaddr_in to{}, own{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(9);
+  to.sin_addr.s_addr = htonl(0xC0000201);
+  socklen_t size = sizeof own;
+  std::array<char, INET_ADDRSTRLEN> text{};
+  const bool known = ::connect(handle, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0 &&
+                     ::getsockname(handle, reinterpret_cast<sockaddr*>(&own), &size) == 0 &&
+                     ::inet_ntop(AF_INET, &own.sin_addr, text.data(), text.size());
+  ::close(handle);
+  return known ? text.data() : std::string();
+}
+
+}  // namespace
 
 LocalAddresses localAddresses() {
   LocalAddresses out;
@@ -18,13 +40,17 @@ LocalAddresses localAddresses() {
   if (::getifaddrs(&first) == 0) {
     for (const ifaddrs* one = first; one; one = one->ifa_next) {
       if (!one->ifa_addr || one->ifa_addr->sa_family != AF_INET) continue;
-      if (!(one->ifa_flags & IFF_UP) || (one->ifa_flags & IFF_LOOPBACK)) continue;
+      // Running: with a carrier, which a bridge of virtual machines without one and an unplugged cable lack.
+      if (!(one->ifa_flags & IFF_UP) || !(one->ifa_flags & IFF_RUNNING)) continue;
+      if (one->ifa_flags & (IFF_LOOPBACK | IFF_POINTOPOINT)) continue;
       std::array<char, INET_ADDRSTRLEN> text{};
       const auto* address = reinterpret_cast<const sockaddr_in*>(one->ifa_addr);
       if (!::inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size())) continue;
       if (std::find(out.ip.begin(), out.ip.end(), text.data()) == out.ip.end()) out.ip.emplace_back(text.data());
     }
     ::freeifaddrs(first);
+    if (const auto best = std::find(out.ip.begin(), out.ip.end(), addressOfDefaultRoute()); best != out.ip.end())
+      std::rotate(out.ip.begin(), best, best + 1);
   }
   std::array<char, HOST_NAME_MAX + 1> name{};
   if (::gethostname(name.data(), name.size() - 1) == 0) out.host = name.data();

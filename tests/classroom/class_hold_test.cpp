@@ -83,7 +83,8 @@ TEST_CASE("an answer that leads or skips forward over the held step does not lea
   }
 }
 
-TEST_CASE("with a hold at the third step, who has an open task at the first waits for the task, and not for the class") {
+TEST_CASE(
+    "with a hold at the third step, who has an open task at the first waits for the task, and not for the class") {
   LessonReading read = readLessonText(
       "/tmp/folder/steps.md",
       "---\ntitle: T\nminutes: 1\ngoals:\n- One\nmolecules: mix\nauthor: A\nlicence: L\n---\n## A\n```scene\nmolecule: "

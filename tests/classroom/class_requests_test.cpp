@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/classroom/class_server.h"
 #include "engine/results/attempt_file.h"
 #include "tests/classroom/small_class.h"
 #include "tests/results/sample_attempt.h"
@@ -61,7 +62,7 @@ struct SmallSite {
     request.path = path;
     request.host = "127.0.0.1:8230";
     if (method == "POST") request.content_type = "application/json";
-    request.remote = "10.0.0.7";
+    request.remote = path.starts_with("/teacher") ? "127.0.0.1" : "10.0.0.7";
     request.body = body;
     request.now_s = now_s += 0.2;
     if (change) change(request);
@@ -78,6 +79,78 @@ struct SmallSite {
                Json{{"token", token}, {"attempt", key}, {"from", from}, {"lines", lines}}.dump());
   }
 };
+
+TEST_CASE("the projector's page has the address, its QR code and a number, and neither names, answers nor the token") {
+  SmallSite site;
+  const std::string token = site.join("Ada")["token"];
+  site.send(token, 0, {headerLine(), eventLine(0.0, StepEntered{"one"})});
+  const ClassReply board = site.ask("GET", "/abc234/board");
+  REQUIRE(board.status == 200);
+  CHECK(board.body.find("http://127.0.0.1:8230/abc234/") != std::string::npos);
+  CHECK(board.body.find("1 student here") != std::string::npos);
+  for (const std::string& secret : {std::string("Ada"), std::string("teachertoken22"), std::string("<script"), token})
+    CHECK(board.body.find(secret) == std::string::npos);
+  const std::string page = site.ask("GET", "/teacher/teachertoken22/").body;
+  CHECK(page.find("/abc234/board") != std::string::npos);
+  CHECK(page.find("class=\"qr\"") == std::string::npos);
+}
+
+TEST_CASE("the teacher's address, right to the last sign, opens nothing from another computer") {
+  SmallSite site;
+  for (const auto& [method, path] : {std::pair{"GET", "/teacher/teachertoken22/"},
+                                     {"GET", "/teacher/teachertoken22/events"},
+                                     {"POST", "/teacher/teachertoken22/steer"}})
+    CHECK(site.ask(method, path, R"({"do":"end"})", [](ClassRequest& r) { r.remote = "10.0.0.8"; }).status == 404);
+  CHECK_FALSE(site.requests->ended());
+  CHECK(site.ask("GET", "/teacher/teachertoken22/").status == 200);
+}
+
+TEST_CASE(
+    "journal, attempts and report are for their owner alone, also in a folder that was there and is open to all") {
+  ScratchFolder scratch;
+  const fs::path folder = scratch.path / "c";
+  fs::create_directories(folder);
+  fs::permissions(folder, fs::perms::all);
+  const auto store = ClassStore::begin(folder, {"abc234", "t", 7, 1, "now", {"/a/b.md", "first-touch"}, true});
+  REQUIRE(store);
+  const auto others = fs::perms::group_all | fs::perms::others_all;
+  CHECK((fs::status(folder / "class.jsonl").permissions() & others) == fs::perms::none);
+  CHECK((fs::status(folder / "attempts").permissions() & others) == fs::perms::none);
+}
+
+TEST_CASE("a class that goes on has the lessons and the share of its beginning, and is open until it was ended") {
+  ScratchFolder scratch;
+  const fs::path folder = scratch.path / "c";
+  {
+    const auto store = ClassStore::begin(folder, {"abc234", "t", 7, 1, "now", {"/a/b.md", "first-touch"}, true});
+    REQUIRE(store);
+    CHECK_FALSE(ClassStore::open(folder));
+    ClassRoom room(smallLessons(), 7);
+    (*store)->add(room.join("Ada", "x", 0.0)->record);
+    REQUIRE_FALSE((*store)->commit((*store)->newest()));
+    CHECK(ClassStore::open(folder));
+  }
+  const auto again = ClassStore::goOn(folder);
+  REQUIRE(again);
+  CHECK((*again)->identity().lessons == std::vector<std::string>{"/a/b.md", "first-touch"});
+  CHECK((*again)->identity().share);
+  (*again)->add(ClassRoom(smallLessons(), 7).end());
+  REQUIRE_FALSE((*again)->commit((*again)->newest()));
+  CHECK_FALSE(ClassStore::open(folder));
+  CHECK_FALSE(ClassStore::open(scratch.path / "none"));
+}
+
+TEST_CASE("two classes never share a port, and a class that is stopped before it serves stops") {
+  ClassServer first, second;
+  const auto port = first.bind(false, 0);
+  REQUIRE(port);
+  CHECK_FALSE(second.bind(false, *port));
+  const auto other = second.bind(false, 0);
+  REQUIRE(other);
+  CHECK(*other != *port);
+  SmallSite site;
+  CHECK(first.serve(*site.requests, [] { return true; }));
+}
 
 TEST_CASE("without the code there is nothing, with the code the page with its lessons, and a slash is added") {
   SmallSite site;
@@ -255,7 +328,8 @@ TEST_CASE("what was acknowledged is there after a restart, even if the journal e
   CHECK(attempt->problems.empty());
 }
 
-TEST_CASE("a class that ended, stopped and goes on keeps all lines, also of a page that sends only its first two again") {
+TEST_CASE(
+    "a class that ended, stopped and goes on keeps all lines, also of a page that sends only its first two again") {
   SmallSite site;
   const std::string ada = site.join("Ada")["token"];
   std::vector<std::string> lines{headerLine()};
@@ -276,7 +350,8 @@ TEST_CASE("a class that ended, stopped and goes on keeps all lines, also of a pa
 TEST_CASE("an answer has the mark of the attempt's last line, by which a page sees that the lines are not its own") {
   SmallSite site;
   const std::string token = site.join("Ada")["token"];
-  const std::vector<std::string> lines{headerLine(), eventLine(1.0, HintOpened{"one"}), "{\"kind\":\"x\",\"y\":\"\xC3\xBC\"}"};
+  const std::vector<std::string> lines{headerLine(), eventLine(1.0, HintOpened{"one"}),
+                                       "{\"kind\":\"x\",\"y\":\"\xC3\xBC\"}"};
   CHECK_FALSE(Json::parse(site.send(token, 0, {lines[0]}).body).contains("last"));
   CHECK(Json::parse(site.send(token, 1, {lines[1]}).body)["last"] == lineMark(lines[1]));
   CHECK(Json::parse(site.send(token, 2, {lines[2]}).body)["last"] == lineMark(lines[2]));

@@ -31,12 +31,10 @@ struct RunningClass {
               "<html><script type=\"text/plain\" id=\"classroom-script\"></script><!--a lesson comes here--></html>");
     start();
   }
-  void start() {
+  // `lessons`: the command names the lesson; else the folder has to know it.
+  void start(bool lessons = true) {
     fs::remove(scratch.path / "log");
-    process = std::make_unique<ChildProgram>(
-        std::vector<std::string>{MOLTACT_BINARY, "class", "first-touch", "--folder", (scratch.path / "class").string(),
-                                 "--port", std::to_string(port), "--page", (scratch.path / "page.html").string()},
-        scratch.path.string(), "log");
+    process = std::make_unique<ChildProgram>(command(lessons), scratch.path.string(), "log");
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     for (;;) {
       const std::string log = bytesOf(scratch.path / "log");
@@ -50,6 +48,13 @@ struct RunningClass {
       if (process->ended() || std::chrono::steady_clock::now() > until) FAIL("it does not start: " << log);
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
+  }
+  std::vector<std::string> command(bool lessons) const {
+    std::vector<std::string> out{MOLTACT_BINARY, "class"};
+    if (lessons) out.emplace_back("first-touch");
+    out.insert(out.end(), {"--folder", (scratch.path / "class").string(), "--port", std::to_string(port), "--page",
+                           (scratch.path / "page.html").string()});
+    return out;
   }
   HttpAnswer post(const std::string& path, const Json& body, const std::string& more = "") const {
     return httpAsk(port, "POST", path, body.dump(), "Content-Type: application/json\r\n" + more);
@@ -145,6 +150,18 @@ TEST_CASE(
   CHECK(room.process->ended());
   CHECK(bytesOf(room.scratch.path / "class/class.jsonl").find("\"line\"") != std::string::npos);
   CHECK(bytesOf(room.scratch.path / "log").find("report.html") != std::string::npos);
+}
+
+TEST_CASE("a class that is started again with its folder alone has its lesson, and what was held is held") {
+  RunningClass room;
+  const Json hold{{"do", "hold"}, {"lesson", "first-touch"}, {"step", 1}};
+  REQUIRE(room.post("/teacher/" + room.teacher + "/steer", hold).status == 200);
+  const std::string token = Json::parse(room.post("/" + room.code + "/join", {{"name", "Ada"}}).body)["token"];
+  room.process->kill();
+  room.start(false);
+  CHECK(room.get("/" + room.code + "/lesson/0").body.starts_with("PK"));
+  CHECK(Json::parse(room.post("/" + room.code + "/lines", {{"token", token}}).body)["held"] ==
+        Json{{"first-touch", 1}});
 }
 
 TEST_CASE(

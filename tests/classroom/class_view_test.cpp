@@ -180,6 +180,59 @@ TEST_CASE(
   CHECK(view.misconceptions[0].words == "takes <this> for that");
 }
 
+TEST_CASE("of four, who has not begun 60 s after joining is stuck once the three others have begun, unless away") {
+  ClassRoom room(smallLessons(), 1);
+  std::vector<SmallStudent> others;
+  for (int k = 0; k < 2; ++k) others.emplace_back(room, "o" + std::to_string(k), 0.0);
+  const std::size_t slow = room.join("slow", "t", 10.0)->student;
+  room.seen(slow, 80.0);
+  CHECK_FALSE(rowOf(viewOf(room, 80.0), "slow").stuck);  // two of two others
+  others.emplace_back(room, "o2", 20.0);
+  CHECK_FALSE(rowOf(viewOf(room, 69.9), "slow").stuck);
+  CHECK(rowOf(viewOf(room, 70.1), "slow").stuck);
+  CHECK(viewOf(room, 70.1).students.front().name == "slow");
+  CHECK(viewOf(room, 70.1).stuck == 1);
+  CHECK(teacherPage(viewOf(room, 70.1), {"http://h/", true}).find("has not begun") != std::string::npos);
+  CHECK_FALSE(rowOf(viewOf(room, 100.0), "slow").stuck);  // away
+  // One of four has begun fewer than three quarters of them.
+  room.join("late", "t2", 75.0);
+  room.join("later", "t3", 75.0);
+  CHECK_FALSE(rowOf(viewOf(room, 80.0), "slow").stuck);
+}
+
+TEST_CASE("one student's lines cannot bend the class's page: repeated choices, long curves, odd lessons and times") {
+  ClassRoom room(smallLessons(), 1);
+  SmallStudent bad(room, "bad");
+  bad.at(0.0, StepEntered{"one"});
+  bad.at(1.0, Answered{"one", "expect", 1, std::vector<std::size_t>(5000, 0), "", true, InputKind::Mouse});
+  std::vector<double> rising(10000);
+  for (std::size_t k = 0; k < rising.size(); ++k) rising[k] = double(k) / 9999.0;
+  bad.at(2.0, CurveKept{"one", 0, false, "depth", 0.8, 3.3, rising});
+  bad.at(2.0, CurveKept{"one", 9, false, "depth", 0.8, 3.3, rising});
+  LessonView lesson = viewOf(room, 2.0).lessons[0];
+  CHECK(lesson.predictions[0].counts == std::vector<std::size_t>{1, 0});
+  REQUIRE(lesson.curves.size() == 1);
+  const std::vector<double>& kept = lesson.curves[0].curves[0].force_N;
+  CHECK(kept.size() == kMaxKeptCurvePoints);
+  CHECK(kept.front() == 0.0);
+  CHECK(kept.back() == 1.0);
+  // A time beyond every clock, and one before it.
+  bad.at(1e300, StepEntered{"two"});
+  CHECK(room.students()[0].attempts[0].now_s == kMaxAttemptTime_s);
+  CHECK(rowOf(viewOf(room, 3.0), "bad").on_step_s == 0.0);
+  CHECK_FALSE(teacherPage(viewOf(room, 3.0), {"http://h/", true}).empty());
+  // A lesson of the student's own, with 10 000 steps and long titles: a row with 200 characters of it, and no card.
+  LessonOutline own;
+  own.file = "own.md";
+  own.hash = "feedfeedfeedfeed";
+  for (int k = 0; k < 10000; ++k) own.steps.push_back({"s" + std::to_string(k), "", {}, {}});
+  for (int k = 0; k < 500; ++k) own.title += "ä";
+  REQUIRE(room.take(0, "own", 0, {headerLine("", own)}, 4.0).refused == ClassRoom::Refused::No);
+  const ClassView view = viewOf(room, 4.0);
+  CHECK(view.lessons.size() == 1);
+  CHECK(rowOf(view, "bad").lesson.size() == 2 * kMaxShownTitle);
+}
+
 TEST_CASE("the teacher's page escapes every name, title and answer") {
   ClassRoom room(smallLessons(), 1);
   SmallStudent bad(room, "<script>alert(1)</script>");

@@ -41,6 +41,7 @@ std::string path(Choices& choices) {
                                            "/teacher/t22/steer",
                                            "/abc234/",
                                            "/abc234/lesson/0",
+                                           "/abc234/board",
                                            "/teacher/t22/",
                                            "/teacher/t22/events",
                                            "/teacher/t22/report",
@@ -57,7 +58,7 @@ std::string path(Choices& choices) {
 
 // A line of an attempt, or something like one.
 std::string line(Choices& choices) {
-  const double t_s = double(choices.pick(1000)) / 8.0;
+  const double t_s = choices.pick(50) ? double(choices.pick(1000)) / 8.0 : 1e300;
   const char* const steps[] = {"one", "two", "three", "none"};
   const std::string step = steps[choices.pick(4)];
   switch (choices.pick(12)) {
@@ -150,7 +151,7 @@ void classRequests(std::string_view bytes) {
     request.host = choices.pick(12) ? "127.0.0.1:8230" : rawText(choices, 20);
     request.content_type = choices.pick(12) ? "application/json" : rawText(choices, 20);
     if (!choices.pick(12)) request.origin = rawText(choices, 20);
-    request.remote = choices.pick(3) ? "a" : "b";
+    request.remote = choices.pick(3) ? "127.0.0.1" : "10.0.0.7";
     if (request.method == "POST") request.body = body(choices);
     request.now_s = double(n);
     const ClassReply reply = (*requests)->answer(request);
