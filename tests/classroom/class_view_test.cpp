@@ -216,10 +216,14 @@ TEST_CASE("one student's lines cannot bend the class's page: repeated choices, l
   CHECK(kept.size() == kMaxKeptCurvePoints);
   CHECK(kept.front() == 0.0);
   CHECK(kept.back() == 1.0);
-  // A time beyond every clock, and one before it.
-  bad.at(1e300, StepEntered{"two"});
-  CHECK(room.students()[0].attempts[0].now_s == kMaxAttemptTime_s);
-  CHECK(rowOf(viewOf(room, 3.0), "bad").on_step_s == 0.0);
+  // A time beyond every clock counts for nothing; one before the attempt is its beginning.
+  bad.send(R"({"kind":"step","t":1e300,"step":"two"})", 3.0);
+  bad.send(R"({"kind":"still","t":1e300})", 3.0);
+  CHECK(room.students()[0].attempts[0].now_s == 2.0);
+  CHECK(rowOf(viewOf(room, 3.0), "bad").step_number == 1);
+  bad.send(R"({"kind":"step","t":-30.0,"step":"two"})", 3.0);
+  CHECK(rowOf(viewOf(room, 3.0), "bad").step_number == 2);
+  CHECK(rowOf(viewOf(room, 3.0), "bad").on_step_s == 2.0);
   CHECK_FALSE(teacherPage(viewOf(room, 3.0), {"http://h/", true}).empty());
   // A lesson of the student's own, with 10 000 steps and long titles: a row with 200 characters of it, and no card.
   LessonOutline own;
