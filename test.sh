@@ -11,7 +11,7 @@ cd "$(dirname "$0")"
 . .ci/setup.sh
 install_missing
 for preset in "${@:-release}"; do
-  echo "== $preset"
+  echo "== $preset ($SECONDS s)"
   [ "$preset" != fuzz ] || install_missing .ci/packages-fuzz
   if [ "$preset" = package ]; then
     install_missing .ci/packages-package
@@ -25,6 +25,7 @@ for preset in "${@:-release}"; do
     build_preset web moltact_hip_path
     build_preset web moltact_energy_ticks
     [ -x build/release/moltact ] || build_preset release moltact
+    echo "built ($SECONDS s)"
     timeout 45m python3 tests/web/run.py
     continue
   fi
@@ -36,5 +37,7 @@ for preset in "${@:-release}"; do
     continue
   fi
   build_preset "$preset"
+  echo "built ($SECONDS s)"
   ctest --preset "$preset" -j "$(nproc)"
 done
+echo "== done ($SECONDS s)"

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "app/commands/atoms_option.h"
 #include "app/commands/command.h"
@@ -37,13 +39,16 @@ struct GridArguments {
   MoleculeArgument molecule;
   std::string around, like, out, dielectric{dielectricChoices().front().name};
   std::vector<double> box;
+  std::vector<std::string> compared;  // files of maps
   double margin_A = 4.0, spacing_A = 0.375;
   int threads = 0;
 };
 
 Expected<GridBox> gridBoxOf(const GridArguments& a, const Molecule& molecule, std::vector<char>& excluded) {
-  if (!a.like.empty()) {
-    const auto map = readMapFile(a.like);
+  const std::string& like = a.compared.empty() ? a.like : a.compared.front();
+  if (!like.empty()) {
+    for (const std::uint32_t i : selectedAtoms("--around", a.around, molecule)) excluded[i] = 1;
+    const auto map = readMapFile(like);
     if (!map) return map.problem();
     return map->box;
   }
@@ -66,6 +71,42 @@ Expected<GridBox> gridBoxOf(const GridArguments& a, const Molecule& molecule, st
   return mapBoxRound(low - Vec3(a.margin_A), high + Vec3(a.margin_A), a.spacing_A);
 }
 
+// The maps of kGridTypes and the electrostatic one, by their names, on one box.
+struct NamedMaps {
+  GridBox box;
+  std::vector<std::string> names;
+  std::vector<std::span<const float>> values;
+};
+
+// Prints how well each map that another program computed follows ours, outside the walls.
+void compareMaps(const std::vector<std::string>& files, const NamedMaps& ours) {
+  for (const std::string& file : files) {
+    const auto map = readMapFile(file);
+    if (!map) throw CommandError{map.problem().text()};
+    // OUT.TYPE.map
+    const std::string type = fs::path(file).stem().extension().string();
+    const auto name = std::find(ours.names.begin(), ours.names.end(), type.empty() ? type : type.substr(1));
+    if (name == ours.names.end())
+      throw CommandError{trf(
+          "{0}: the file's name must end in the type of the map: .C.map, .A.map, .N.map, .OA.map, .SA.map, .HD.map or "
+          ".e.map",
+          file)};
+    if (!(map->box == ours.box))
+      throw CommandError{
+          trf("{0}: the box differs from that of {1}; compare the files one by one", file, files.front())};
+    const std::span<const float> carbon = ours.values.front();
+    const MapAgreement found = mapAgreement(map->values, ours.values[std::size_t(name - ours.names.begin())],
+                                            [&](std::size_t node) { return carbon[node] < 0.0f; });
+    if (found.points == 0)
+      throw CommandError{
+          trf("{0}: no point of the box is outside the walls; does the map belong to this molecule?", file)};
+    char text[160];
+    std::snprintf(text, sizeof text, "%zu points, correlation %.4f, factor %.4f, rms difference %.3g, largest %.3g",
+                  found.points, found.correlation, found.factor, found.rms, found.largest);
+    out() << file << ": " << text << (*name == "e" ? " kcal/mol/e\n" : " kcal/mol\n");
+  }
+}
+
 void writeGridFile(const fs::path& file, const std::string& text) {
   if (const auto problem = writeWhole(file, text)) throw CommandError{problem->text()};
 }
@@ -80,11 +121,13 @@ void runGrid(const GridArguments& a) {
   for (const GridType& type : kGridTypes) names.push_back(type.name);
   names.push_back("e");
   const auto fileOf = [&](const std::string& ending) { return fs::path(stem.string() + ending); };
+  if (a.out.empty() && a.compared.empty())
+    throw CLI::RequiredError("--out OUT, where the maps go, or --compare FILE.map");
   std::vector<NamedOutput> outputs;
   for (const std::string& name : names) outputs.push_back({"--out", fileOf("." + name + ".map")});
   outputs.push_back({"--out", fileOf(".maps.fld")});
   outputs.push_back({"--out", fileOf(".maps.xyz")});
-  checkOutputs(outputs);
+  if (!a.out.empty()) checkOutputs(outputs);
 
   const PairAtoms all = pairAtoms(molecule);
   std::vector<PairAtom> atoms;
@@ -108,13 +151,17 @@ void runGrid(const GridArguments& a) {
   });
   showStatus({});
   if (!maps) throw CommandError{tr("the calculation was cancelled; nothing is written"), 130};
-  const std::string title = a.molecule.named.name, name = stem.filename().string();
   for (std::size_t k = 0; k < kGridTypes.size(); ++k) {
     const float root = std::sqrt(amberType(kGridTypes[k].amber)->depth_kcal_mol);
     for (float& value : maps->van_der_waals[k]) value *= root;
-    writeGridFile(fileOf("." + names[k] + ".map"), mapText(*box, maps->van_der_waals[k], name, title));
   }
-  writeGridFile(fileOf(".e.map"), mapText(*box, maps->electrostatic, name, title));
+  NamedMaps named{*box, names, {maps->van_der_waals.begin(), maps->van_der_waals.end()}};
+  named.values.push_back(maps->electrostatic);
+  compareMaps(a.compared, named);
+  if (a.out.empty()) return;
+  const std::string title = a.molecule.named.name, name = stem.filename().string();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    writeGridFile(fileOf("." + names[k] + ".map"), mapText(*box, named.values[k], name, title));
   writeGridFile(fileOf(".maps.fld"), mapFieldText(*box, name, title, names));
   writeGridFile(fileOf(".maps.xyz"), mapCornersText(*box));
   out() << stem.string() << ".*.map: " << names.size() << " maps of " << box->nodes[0] << " x " << box->nodes[1]
@@ -132,8 +179,7 @@ void addGrid(CLI::App& app) {
   command
       ->add_option("-o,--out", a.out,
                    "Where the maps go: OUT.C.map, OUT.e.map and so on, with OUT.maps.fld for viewers")
-      ->type_name(kFileType)
-      ->required();
+      ->type_name(kFileType);
   auto* around =
       command->add_option("--around", a.around,
                           "Selection of atoms: the maps lie round them and without them: 'ligand'. Default: all atoms");
@@ -146,15 +192,24 @@ void addGrid(CLI::App& app) {
                    ->type_name(kFileType)
                    ->excludes(around)
                    ->excludes(box);
+  auto* compare =
+      command
+          ->add_option("--compare", a.compared,
+                       "Maps NAME.TYPE.map of another program: print how well they follow ours on their box")
+          ->type_name(kFileType)
+          ->excludes(box)
+          ->excludes(like);
   command->add_option("--margin", a.margin_A, "Distance from the atoms to the box's faces in angstroms")
       ->check(numberFrom(0.0, 100.0))
       ->capture_default_str()
       ->excludes(box)
-      ->excludes(like);
+      ->excludes(like)
+      ->excludes(compare);
   command->add_option("--spacing", a.spacing_A, "Distance of the points in angstroms")
       ->check(numberFrom(kMinGridSpacing_A, kMaxGridSpacing_A))
       ->capture_default_str()
-      ->excludes(like);
+      ->excludes(like)
+      ->excludes(compare);
   std::vector<std::string> media;
   for (const DielectricChoice& medium : dielectricChoices()) media.push_back(std::string(medium.name));
   command->add_option("--dielectric", a.dielectric, "The solvent between charges")

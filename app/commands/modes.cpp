@@ -36,7 +36,7 @@ struct ModesFound {
   double correlation = 0.0;
   std::size_t softest = 0, stiffest = 0;       // nodes
   double softest_A2 = 0.0, stiffest_A2 = 0.0;  // their mean compliance, for springs of stiffness 1
-  std::vector<double> overlaps;                // with the change toward another structure
+  std::vector<double> overlaps{};              // with the change toward another structure
   double change_A = 0.0;                       // root mean square over the nodes
 };
 

@@ -175,8 +175,8 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
   Svg svg;
   svg.title(title).ground("white");
   const std::size_t columns = std::min(kColumns, panels.size()), rows = (panels.size() + kColumns - 1) / kColumns;
-  const double width = kPanelWidth * double(columns),
-               legend_y = kTop + kPanelHeight * double(rows) + kRowGap * double(rows - 1) + 8;
+  const double width = kPanelWidth * double(columns);
+  double legend_y = kTop + kPanelHeight * double(rows) + kRowGap * double(rows - 1) + 8;
   svg.text(kLeft, 34, "start", title, "font-size=\"19\" font-weight=\"bold\"");
   for (std::size_t k = 0; k < panels.size(); ++k)
     drawPanel(svg, panels[k], kPanelWidth * double(k % kColumns),
@@ -188,6 +188,10 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
     for (const ChartSeries& s : panel.series) {
       if (s.name.empty() || std::find(named.begin(), named.end(), s.name) != named.end()) continue;
       named.push_back(s.name);
+      if (at > kLeft && at + 20 + textWidth(s.name) > width) {
+        at = kLeft;
+        legend_y += 22;
+      }
       if (s.joined)
         svg.line(
             at - 10, legend_y - 5, at + 14, legend_y - 5,

@@ -6,6 +6,8 @@
 #include <unordered_set>
 
 #include "engine/dynamics/begin_simulation.h"
+#include "engine/dynamics/elastic_network.h"
+#include "engine/dynamics/normal_modes.h"
 #include "engine/dynamics/simulation_engines.h"
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
@@ -58,6 +60,7 @@ class Check {
         hasCharges(step.scene, *molecule);
         keepsUp(step.scene, *molecule);
         fitsInPage(step.scene, *molecule);
+        yields(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
           for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
@@ -170,6 +173,21 @@ class Check {
                       trf("a page in a browser simulates at most {0} atoms: it shows this molecule, of {1}, at rest",
                           kMaxSimulatedInPage, molecule.atoms.size()),
                       tr("take a part of it, or have students use the desktop program"));
+  }
+
+  /// The molecule must have an elastic network, and the motions that the scene names.
+  void yields(const SceneSpec& scene, const Molecule& molecule) {
+    if (!scene.elastic || findings_.enough()) return;
+    const auto network = ElasticNetwork::make(molecule, ElasticNetwork::kCutOff_A, heldAtoms(scene, molecule));
+    const Place place = network ? scene.places.modes : scene.places.elastic;
+    if (!place.line || !reported_.insert({"elastic " + scene.molecule.name, place.line, place.column}).second) return;
+    if (!network) return findings_.error(place, network.problem().message, network.problem().remedy);
+    const std::size_t count = std::min(kElasticModes, 3 * network->nodes().size() - 6);
+    if (scene.elastic_modes.empty() || scene.elastic_modes.back() < count) return;
+    findings_.error(place,
+                    trf("the molecule has {0} motions as an elastic network; there is no motion {1}", count,
+                        scene.elastic_modes.back() + 1),
+                    trf("write numbers from 1 to {0}, or leave 'modes' out", count));
   }
 
   /// The file must contain the charges that the scene uses.

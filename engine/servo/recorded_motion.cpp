@@ -16,15 +16,28 @@ void sphereFields(Each& each, S& sphere) {
   each(sphere.radius_A);
 }
 
+// Whether the motion starts at the end of the other, to the last bit, and what MotionReplay then makes of it continues the
+// other if this one does.
+bool startsAtEndOf(const SphereMotion& motion, const SphereMotion& before) {
+  if (motion.continues(before)) return true;
+  if (motion.size() != before.size() || motion.sweptSpheres().untouchable() == before.sweptSpheres().untouchable())
+    return false;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const Sphere &from = motion[i].from, end = before[i].at(1.0);
+    if (from.centre_A != end.centre_A || from.radius_A != end.radius_A) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 RecordedMotion recordedMotion(const SphereMotion& motion, const SphereMotion* before) {
   RecordedMotion out;
   out.ticks = motion.ticks();
-  const bool continues = before && motion.continues(*before);
+  const bool follows = before && startsAtEndOf(motion, *before);
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const SphereMotion::Moving& s = motion[i];
-    if (!continues) out.from.push_back(s.from);
+    if (!follows) out.from.push_back(s.from);
     out.changes.push_back({s.displacement_A, s.growth_A});
   }
   return out;
@@ -88,14 +101,14 @@ std::optional<MotionPhase> MotionReplay::at(std::uint32_t number, std::int32_t t
   while (number_ < number) {
     const RecordedMotion& next = motions_[number_];
     const std::size_t count = next.changes.size();
-    const bool continues = next.from.empty() && now_;
-    const std::vector<Sphere> from = continues ? now_->at(1.0) : next.from;
+    const bool follows = next.from.empty() && now_;
+    const std::vector<Sphere> from = follows ? now_->at(1.0) : next.from;
     if (count != scene_.size() || from.size() != count) return std::nullopt;
     std::vector<SphereMotion::Moving> spheres(count);
     for (std::size_t i = 0; i < count; ++i)
       spheres[i] = {from[i], next.changes[i].displacement_A, next.changes[i].growth_A};
     auto made =
-        SphereMotion::make(std::move(spheres), next.ticks, scene_.untouchable(), continues ? now_.get() : nullptr);
+        SphereMotion::make(std::move(spheres), next.ticks, scene_.untouchable(), follows ? now_.get() : nullptr);
     if (!made) return std::nullopt;
     before_ = std::exchange(now_, *std::move(made));
     ++number_;

@@ -29,7 +29,7 @@ struct RecordedMotion {
 /// The motion as it is recorded; `before` is the motion recorded before it (null: none).
 RecordedMotion recordedMotion(const SphereMotion& motion, const SphereMotion* before);
 
-/// The bytes of a motion: 24 for each sphere, twice as many where `from` is given, more where spheres grow.
+/// The bytes of a motion: 24 for each sphere, 32 more where `from` is given, 8 more where spheres grow.
 std::string bytesOf(const RecordedMotion& motion);
 /// Empty for bytes that bytesOf() does not write. The values are not checked.
 std::optional<RecordedMotion> motionOfBytes(std::string_view bytes);

@@ -215,4 +215,29 @@ std::string mapCornersText(const GridBox& box) {
   return out;
 }
 
+MapAgreement mapAgreement(std::span<const float> map, std::span<const float> other,
+                          const std::function<bool(std::size_t)>& counts) {
+  MapAgreement out;
+  double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    if (!counts(k)) continue;
+    const double a = other[k], b = map[k];
+    ++out.points;
+    x += a, y += b, xx += a * a, yy += b * b, xy += a * b;
+  }
+  if (out.points == 0) return out;
+  const double n = double(out.points), spread = (xx - x * x / n) * (yy - y * y / n);
+  if (spread > 0.0) out.correlation = (xy - x * y / n) / std::sqrt(spread);
+  if (xx > 0.0) out.factor = xy / xx;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    if (!counts(k)) continue;
+    const double off = std::abs(double(map[k]) - out.factor * double(other[k]));
+    squares += off * off;
+    out.largest = std::max(out.largest, off);
+  }
+  out.rms = std::sqrt(squares / n);
+  return out;
+}
+
 }  // namespace moltact

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,5 +43,18 @@ std::string mapText(const GridBox& box, std::span<const float> values, std::stri
 std::string mapFieldText(const GridBox& box, std::string_view stem, std::string_view molecule,
                          std::span<const std::string> names);
 std::string mapCornersText(const GridBox& box);
+
+/// How well the values of a map follow those of another one.
+struct MapAgreement {
+  std::size_t points = 0;    ///< compared; the other members are 0 without any
+  double correlation = 0.0;  ///< Pearson's; 0 if one map is constant
+  double factor = 0.0;       ///< of the other map that fits best (least squares)
+  double rms = 0.0;          ///< of the difference that remains (unit: that of the map)
+  double largest = 0.0;      ///< the largest amount of that difference
+};
+
+/// Compares `map` with `factor` times `other` at the nodes where `counts` holds. All spans have the same size.
+MapAgreement mapAgreement(std::span<const float> map, std::span<const float> other,
+                          const std::function<bool(std::size_t node)>& counts);
 
 }  // namespace moltact

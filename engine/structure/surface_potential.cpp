@@ -30,8 +30,24 @@ std::array<Vec3, kPoints> spiral() {
   return out;
 }
 
+PairModel modelOf(const DielectricChoice& medium) {
+  PairModel model;
+  model.kind = medium.kind;
+  model.dielectric = medium.dielectric;
+  return model;
+}
+
+std::vector<char> flagsOf(std::size_t atoms, std::span<const std::uint32_t> held) {
+  std::vector<char> out(atoms);
+  for (const std::uint32_t i : held)
+    if (i < out.size()) out[i] = 1;
+  return out;
+}
+
+}  // namespace
+
 // The atoms of the hand, or all others.
-class Part {
+class SurfacePotential::Part {
  public:
   Part(const Molecule& molecule, const PairAtoms& all, const PairModel& model, const std::vector<char>& held, bool hand)
       : spheres_(molecule.spheres), constants_(model), kernel_(pairKernel(model.kind)), cut_A_(model.cutoff_A) {
@@ -74,10 +90,11 @@ class Part {
       }
       blocks.back().set(lane++, sphere.centre_A - own.centre_A, charges_[index]);
     });
+    const PairRun all{blocks.data(), int(blocks.size())};
     double sum = 0.0;
     for (const Vec3& point : free) {
       PairTerms terms;
-      kernel_.slope(blocks.data(), int(blocks.size()), constants_, PairOwn({.charge_e = 1.0f}, point), terms);
+      kernel_.slope(&all, 1, constants_, PairOwn({.charge_e = 1.0f}, point), terms);
       sum += terms.energy[EnergyPart::Electrostatic];
     }
     return float(sum / double(free.size()));
@@ -91,22 +108,6 @@ class Part {
   std::vector<PairAtom> charges_;
   SphereGrid grid_{std::vector<Sphere>()}, cover_{std::vector<Sphere>()};
 };
-
-PairModel modelOf(const DielectricChoice& medium) {
-  PairModel model;
-  model.kind = medium.kind;
-  model.dielectric = medium.dielectric;
-  return model;
-}
-
-std::vector<char> flagsOf(std::size_t atoms, std::span<const std::uint32_t> held) {
-  std::vector<char> out(atoms);
-  for (const std::uint32_t i : held)
-    if (i < out.size()) out[i] = 1;
-  return out;
-}
-
-}  // namespace
 
 struct SurfacePotential::Parts {
   Parts(const Molecule& molecule, const PairAtoms& all, const PairModel& model, std::span<const std::uint32_t> held)

@@ -28,6 +28,7 @@ class SurfacePotential {
   std::vector<float> take();
 
  private:
+  class Part;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

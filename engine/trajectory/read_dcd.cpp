@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::uint32_t kHeader_bytes = 84;
+constexpr std::uint32_t kDcdHeader_bytes = 84;
 constexpr double kAkmaTime_ps = 0.04888821;  // CHARMM's unit of time
 
 class Dcd final : public TrajectoryFile {
@@ -57,10 +57,11 @@ bool Dcd::record(std::uint64_t& at, std::vector<char>& out, std::uint64_t most) 
 std::optional<Problem> Dcd::open() {
   char length[4];
   if (!file_.read(0, length, 4)) return damaged();
-  big_endian_ = orderedNumber<std::uint32_t>(length, true) == kHeader_bytes;
+  big_endian_ = orderedNumber<std::uint32_t>(length, true) == kDcdHeader_bytes;
   std::uint64_t at = 0;
   std::vector<char> bytes;
-  if (!record(at, bytes, kHeader_bytes) || bytes.size() != kHeader_bytes || std::string_view(bytes.data(), 4) != "CORD")
+  if (!record(at, bytes, kDcdHeader_bytes) || bytes.size() != kDcdHeader_bytes ||
+      std::string_view(bytes.data(), 4) != "CORD")
     return damaged();
   const auto entry = [&](int k) { return number<std::int32_t>(bytes.data() + 4 + 4 * k); };
   const std::int32_t claimed = entry(0), start = entry(1), stride = entry(2), fixed = entry(8);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int32_t kMagic = 1995, kMagicLarge = 2023;  // the second has lengths of 64 bits
 constexpr std::uint32_t kFewAtoms = 9;                     // up to here the coordinates are plain floats
-constexpr std::size_t kHeader_bytes = 56;                  // up to the second number of atoms
+constexpr std::size_t kXtcHeader_bytes = 56;               // up to the second number of atoms
 
 // The edges of cubes for differences. Entry n is about the cube root of 2^n: a difference takes n bits.
 constexpr int kFirstSize = 9;
@@ -189,9 +189,9 @@ class Xtc final : public FoundFrames {
 constexpr std::size_t kPacking_bytes = 4 + 12 + 12 + 4;
 
 Expected<std::optional<FoundFrames::Ending>> Xtc::endOf(std::uint64_t at) {
-  char head[kHeader_bytes + kPacking_bytes + 8];
+  char head[kXtcHeader_bytes + kPacking_bytes + 8];
   if (at == file_.size()) return std::optional<Ending>();
-  if (!file_.read(at, head, kHeader_bytes)) return frameCutShort(file_.name(), frames_);
+  if (!file_.read(at, head, kXtcHeader_bytes)) return frameCutShort(file_.name(), frames_);
   const std::int32_t magic = integer(head), atoms = integer(head + 4);
   if ((magic != kMagic && magic != kMagicLarge) || atoms < 1 || std::size_t(atoms) > kMaxMoleculeAtoms ||
       integer(head + 52) != atoms)
@@ -200,12 +200,12 @@ Expected<std::optional<FoundFrames::Ending>> Xtc::endOf(std::uint64_t at) {
   if (std::size_t(atoms) != atoms_)
     return frameProblem(file_.name(), frames_, trf("it has {0} atoms and not {1}", atoms, atoms_));
   Ending out;
-  out.end = at + kHeader_bytes;
+  out.end = at + kXtcHeader_bytes;
   if (std::uint32_t(atoms) <= kFewAtoms) {
     out.end += 12 * std::uint64_t(atoms);
   } else {
     const std::size_t length = magic == kMagicLarge ? 8 : 4;
-    if (!file_.read(at + kHeader_bytes, head, kPacking_bytes + length)) return frameCutShort(file_.name(), frames_);
+    if (!file_.read(at + kXtcHeader_bytes, head, kPacking_bytes + length)) return frameCutShort(file_.name(), frames_);
     const std::int64_t bytes = length == 8 ? orderedNumber<std::int64_t>(head + kPacking_bytes, true)
                                            : std::int64_t(integer(head + kPacking_bytes));
     // An atom takes more than eight bits in the longest runs, which bounds the memory for a damaged number of atoms.
@@ -220,7 +220,7 @@ Expected<std::optional<FoundFrames::Ending>> Xtc::endOf(std::uint64_t at) {
 Expected<TrajectoryFrame> Xtc::read(std::size_t frame) {
   const std::uint64_t at = begins_[frame];
   const auto damaged = [&] { return frameProblem(file_.name(), frame, tr("it is damaged")); };
-  char head[kHeader_bytes];
+  char head[kXtcHeader_bytes];
   if (!file_.read(at, head, sizeof head)) return damaged();
   TrajectoryFrame out;
   out.time_ps = double(real(head + 12));
@@ -233,14 +233,14 @@ Expected<TrajectoryFrame> Xtc::read(std::size_t frame) {
   std::vector<glm::vec3> places_nm(atoms_);
   if (atoms_ <= kFewAtoms) {
     char plain[12 * kFewAtoms];
-    if (!file_.read(at + kHeader_bytes, plain, 12 * atoms_)) return damaged();
+    if (!file_.read(at + kXtcHeader_bytes, plain, 12 * atoms_)) return damaged();
     for (std::size_t i = 0; i < atoms_; ++i)
       for (int k = 0; k < 3; ++k) places_nm[i][k] = real(plain + 12 * i + 4 * std::size_t(k));
   } else {
     const std::size_t length = integer(head) == kMagicLarge ? 8 : 4;
     const std::uint64_t end = frame + 1 < begins_.size() ? begins_[frame + 1] : searched_;
-    std::vector<char> bytes(static_cast<std::size_t>(end - at - kHeader_bytes));
-    if (bytes.size() < kPacking_bytes + length || !file_.read(at + kHeader_bytes, bytes.data(), bytes.size()))
+    std::vector<char> bytes(static_cast<std::size_t>(end - at - kXtcHeader_bytes));
+    if (bytes.size() < kPacking_bytes + length || !file_.read(at + kXtcHeader_bytes, bytes.data(), bytes.size()))
       return damaged();
     Packing packing;
     packing.precision = real(bytes.data());

@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace moltact::test {
 
@@ -21,6 +23,22 @@ inline std::string contents(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+inline void writeBytes(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+/// The fields of each row.
+inline std::vector<std::vector<std::string>> csvRows(const std::string& csv) {
+  std::vector<std::vector<std::string>> all;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    all.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) all.back().push_back(field);
+  }
+  return all;
+}
+
 struct CommandPlace {
   std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("moltact-command-" + std::to_string(::getpid()));
@@ -28,6 +46,9 @@ struct CommandPlace {
   ~CommandPlace() { std::filesystem::remove_all(folder); }
   CommandPlace(const CommandPlace&) = delete;
   CommandPlace& operator=(const CommandPlace&) = delete;
+
+  /// A file's path in the folder.
+  std::string operator/(const std::string& name) const { return (folder / name).string(); }
 
   /// `before`: shell commands before the program, such as "ulimit -f 200;" or "env NAME=value". `input`: standard
   /// input.

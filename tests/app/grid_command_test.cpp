@@ -5,7 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/structure/map_file.h"
 
@@ -52,6 +56,45 @@ TEST_CASE(
   REQUIRE(again);
   CHECK(again->box == box);
   CHECK(again->values == carbon->values);
+}
+
+TEST_CASE(
+    "grid --compare finds a correlation of 1 with its own maps and the factor of a map that is a third as large; a "
+    "file "
+    "without a type and one of another box give status 1, and nothing is written") {
+  const fs::path kept = fs::temp_directory_path() / "moltact-grid-compare";
+  fs::remove_all(kept);
+  fs::create_directories(kept);
+  REQUIRE(runGridCommand("benzene --spacing 0.5 --out '" + (kept / "b").string() + "'") == 0);
+  const auto oxygen = readMapFile(kept / "b.OA.map");
+  REQUIRE(oxygen);
+  std::vector<float> third = oxygen->values;
+  for (float& value : third) value /= 3.0f;
+  std::ofstream(kept / "third.OA.map") << mapText(oxygen->box, third, "third", "benzene");
+  fs::copy_file(kept / "b.OA.map", kept / "plain.map");
+  const auto compare = [&](const std::string& files) {
+    const std::string command = "cd '" + kept.string() + "' && '" MOLTACT_BINARY "' grid benzene --compare " + files +
+                                " > '" + (kept / "answer").string() + "' 2>&1";
+    const int status = WEXITSTATUS(std::system(command.c_str()));
+    std::ifstream answer(kept / "answer");
+    return std::pair(status, std::string(std::istreambuf_iterator<char>(answer), {}));
+  };
+  const auto [status, said] = compare("b.C.map b.e.map third.OA.map");
+  CHECK(status == 0);
+  INFO(said);
+  CHECK(said.find("b.C.map: ") == 0);
+  CHECK(said.find("b.e.map: ") != std::string::npos);
+  const std::string last = said.substr(said.find("third.OA.map"));
+  CHECK(last.find("correlation 1.0000, factor 0.3333, rms difference") != std::string::npos);
+  CHECK(said.find("correlation 1.0000, factor 1.0000") < said.find("b.e.map"));
+  CHECK(compare("plain.map").first == 1);
+  CHECK(compare("plain.map").second.find(".OA.map") != std::string::npos);
+  REQUIRE(runGridCommand("benzene --spacing 0.4 --out '" + (kept / "other").string() + "'") == 0);
+  const auto [unlike, problem] = compare("b.C.map other.C.map");
+  CHECK(unlike == 1);
+  CHECK(problem.find("other.C.map: the box differs from that of b.C.map") != std::string::npos);
+  CHECK(fs::is_empty(kGridFolder));
+  fs::remove_all(kept);
 }
 
 TEST_CASE("grid without a file, with a wrong option, a box of 10 GB or all atoms taken gives a status and no map") {

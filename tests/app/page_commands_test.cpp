@@ -100,6 +100,8 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
     {"info md.xtc", "a trajectory of one's own"},
     {"render protein.gro", "a structure and a trajectory of one's own"},
     {"render 4ake", "the structure is downloaded"},
+    {"grid 1hpv --around ligand --compare",
+     "the maps of another program; tests/app/grid_command_test.cpp compares some"},
     {"info small.", "the file is made as the page tells, of gigabytes"},
     {"pack --html", "the name of an option, with no lesson"},
     {"check --play", "the name of an option, with no lesson"},

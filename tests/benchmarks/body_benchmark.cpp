@@ -8,6 +8,8 @@
 // atoms as a capsid has.
 // Run: build/release/body_benchmark [name of a scene, see body_tasks.h]
 //      build/release/body_benchmark chains     the third table alone
+//      build/release/body_benchmark leaps      the first tick of a motion that does not continue another, as when
+//                                              molecules of a trajectory leap
 //      build/release/body_benchmark points     the penalty of points with other stiffnesses of its pushes, in the scenes
 //                                              of the matrix
 #include <algorithm>
@@ -27,6 +29,7 @@
 #include "engine/bench/methods/point_penalty.h"
 #include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/field/pair_sum.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/molecule/reader.h"
 
 namespace {
@@ -179,6 +182,36 @@ void sweepPoints() {
   std::fflush(stdout);
 }
 
+// The first tick of a motion that does not continue another: the list of pairs is made anew within it.
+void timeLeaps(const bench::BodyTask& task) {
+  const std::vector<PoseA> path = bench::pathOf(task, kTicks);
+  const auto motion = SphereMotion::make(task.scene->spheres(), task.scene->spheres(), 16);
+  if (!motion) {
+    std::printf("| %s | %s |\n", task.name.c_str(), motion.problem().text().c_str());
+    return;
+  }
+  ExactBody felt(task.scene, task.body);
+  felt.respond({{task.home}});
+  std::vector<double> us;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const bool leap = k % 20 == 19;
+    const auto begun = std::chrono::steady_clock::now();
+    if (leap) {
+      felt.setMotion(motion->get());
+      felt.advanceTo(1.0 / 16.0);
+    }
+    felt.respond(path[k]);
+    if (!leap) continue;
+    us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count());
+    felt.setMotion(nullptr);
+  }
+  const double loop_us = bench::distanceLoop_ns() / 1e3;
+  std::sort(us.begin(), us.end());
+  std::printf("| %s | %zu | %.0f | %.0f | %.0f | %.0f |\n", task.name.c_str(), us.size(), us[us.size() / 2], us.back(),
+              us[us.size() / 2] / loop_us, us.back() / loop_us);
+  std::fflush(stdout);
+}
+
 void sweepAllPoints() {
   std::printf(
       "| push / spring | sound of 10 | overlap (A) | force error, rms: median (N) | greatest (N) | tunnelled | not at "
@@ -199,13 +232,19 @@ int main(int argc, char** argv) {
   }
   std::vector<bench::BodyTask> tasks;
   for (const std::string_view name : bench::kBodyTasks) {
-    if (argc > 1 && name != argv[1]) continue;
+    if (argc > 1 && name != argv[1] && argv[1] != std::string_view("leaps")) continue;
     auto task = bench::bodyTask(name, open);
     if (!task) {
       std::fprintf(stderr, "%s\n", task.problem().text().c_str());
       return 2;
     }
     tasks.push_back(std::move(*task));
+  }
+  if (argc > 1 && argv[1] == std::string_view("leaps")) {
+    std::printf(
+        "| body | leaps | median us | max | median / loop | max / loop |\n| --- | --- | --- | --- | --- | --- |\n");
+    for (const bench::BodyTask& task : tasks) timeLeaps(task);
+    return 0;
   }
   std::printf(
       "| body | contact | at rest | steps | mean us | p50 | p99 | p99.9 | max | mean / loop | p99.9 / loop |\n"

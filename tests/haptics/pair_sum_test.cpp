@@ -389,14 +389,51 @@ TEST_CASE("the loop for this processor gives the bits of the plain one, in 3 die
   for (const Dielectric kind : {Dielectric::Constant, Dielectric::Distance, Dielectric::MehlerSolmajer}) {
     const PairConstants constants(unbounded(kind));
     PairTerms one, other;
+    const PairRun all{blocks.data(), 300};
     const PairOwn own({.half_minimum_A = 1.9f, .depth_kcal_mol = 0.09f, .charge_e = 0.4f}, Vec3(0.1, 0.2, 0.3));
     for (const auto loop : {&PairKernel::slope, &PairKernel::curvature}) {
       one = other = {};
-      (pairKernel(kind).*loop)(blocks.data(), 300, constants, own, one);
-      (plainPairKernel(kind).*loop)(blocks.data(), 300, constants, own, other);
+      (pairKernel(kind).*loop)(&all, 1, constants, own, one);
+      (plainPairKernel(kind).*loop)(&all, 1, constants, own, other);
       CHECK(std::memcmp(&one, &other, sizeof one) == 0);
     }
     CHECK(std::isfinite(one.energy[EnergyPart::Electrostatic]));
+  }
+}
+
+TEST_CASE("blocks that state the bounds of their distances give the bits of blocks that do not, from 0.2 to 13 A") {
+  std::mt19937 random(52);
+  const auto in = [&](double low, double high) {
+    return float(std::uniform_real_distribution<double>(low, high)(random));
+  };
+  std::normal_distribution<double> normal;
+  std::vector<PairBlock> blocks(300);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const double near_A = 0.2 + 0.0425 * double(b);
+    for (int k = 0; k < PairBlock::kLanes; ++k) {
+      const Vec3 way = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
+      blocks[b].set(k, (near_A + double(in(0, 0.05))) * way, {{}, in(0, 2), in(0, 0.25), in(-1, 1)});
+    }
+  }
+  std::vector<PairBlock> bounded = blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    bounded[b].nearest_A = float(0.2 + 0.0425 * double(b) - 1e-4);
+    bounded[b].farthest_A = float(0.2 + 0.0425 * double(b) + 0.05 + 1e-4);
+  }
+  const PairRun plain{blocks.data(), 300}, stated{bounded.data(), 300};
+  for (const Dielectric kind : {Dielectric::Constant, Dielectric::Distance, Dielectric::MehlerSolmajer}) {
+    PairModel model;  // with the switch from 8 to 10 A
+    model.kind = kind;
+    const PairConstants constants(model);
+    for (const double off_A : {0.0, 0.4, 1.0}) {
+      const PairOwn own({.half_minimum_A = 1.9f, .depth_kcal_mol = 0.09f, .charge_e = 0.4f}, Vec3(0, off_A, 0));
+      for (const auto loop : {&PairKernel::slope, &PairKernel::curvature}) {
+        PairTerms one, other;
+        (pairKernel(kind).*loop)(&plain, 1, constants, own, one);
+        (pairKernel(kind).*loop)(&stated, 1, constants, own, other);
+        CHECK(std::memcmp(&one, &other, sizeof one) == 0);
+      }
+    }
   }
 }
 

@@ -18,6 +18,7 @@ const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, 
 // A bend of five residues; shut, the last has moved by 4 A.
 Molecule bend(double last_y) {
   MoleculeByHand b;
+  b.made.id = "mix";
   for (int k = 0; k < 5; ++k)
     b.residue("A", "GLY", k + 1, ResidueKind::AminoAcid)
         .atom("CA", 6,
@@ -249,6 +250,15 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
       scene("elastic: on\nmodes: 1, 21\n") ==
       Texts{"l.md:13:11: '21' is no motion of an elastic molecule; write numbers from 1 (the softest) to 20, as in '1, "
             "3', or 'all'"});
+  // Five nodes have 3 n - 6 = 9 motions.
+  CHECK(scene("elastic: on\nmodes: 1, 9\n").empty());
+  CHECK(
+      scene("elastic: on\nmodes: 1, 10\n") ==
+      Texts{"l.md:13:8: the molecule has 9 motions as an elastic network; there is no motion 10; write numbers from 1 "
+            "to 9, or leave 'modes' out"});
+  // Two residues in the hand leave three nodes, which have none.
+  CHECK(scene("elastic: on\nin-hand: residue 4 5\n") ==
+        Texts{"l.md:12:10: mix has too few residues for an elastic network: 3; take a molecule of at least 4"});
   CHECK(scene("elastic: on\nmodes: 1,\n").size() == 1);
   CHECK(scene("elastic: on\nmodes: 0\n").size() == 1);
   CHECK(scene("scan: 10 Å\n").empty());

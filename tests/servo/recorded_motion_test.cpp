@@ -106,6 +106,43 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "a sphere that shrinks to nothing, is elsewhere and grows there is recorded in at most 32 bytes a sphere and "
+    "piece, "
+    "and its motions are reconstructed to the last bit, felt as they were") {
+  const std::vector<Sphere> here{{{0.1, 0, 0}, 1.7}, {{6.2, 0, 0}, 1.6}};
+  std::vector<Sphere> shrunk = here, away = here, grows = here;
+  shrunk[1].radius_A = 0.0;
+  away[1] = {{-13.4, 0.3, 0}, 0.0};
+  grows[1] = {{-13.3, 0.3, 0}, 0.33};
+  const SphereGrid scene(here);
+  std::vector<std::unique_ptr<const SphereMotion>> motions;
+  std::vector<RecordedMotion> recorded;
+  for (const std::vector<Sphere>& to : {shrunk, away, grows}) {
+    auto made = motions.empty() ? SphereMotion::make(here, to, 33) : SphereMotion::after(*motions.back(), to, 33);
+    REQUIRE(made);
+    recorded.push_back(recordedMotion(**made, motions.empty() ? nullptr : motions.back().get()));
+    motions.push_back(*std::move(made));
+  }
+  CHECK(bytesOf(recorded[0]).size() == 9 + 2 * (32 + 32));  // with the places at the start
+  CHECK(bytesOf(recorded[1]).size() == 9 + 2 * 24);
+  CHECK(bytesOf(recorded[2]).size() == 9 + 2 * 32);
+  CHECK_FALSE(motions[1]->continues(*motions[0]));
+  CHECK_FALSE(motions[2]->continues(*motions[1]));
+  MotionReplay replay(recorded, scene);
+  for (std::uint32_t number = 1; number <= 3; ++number) {
+    const auto phase = replay.at(number, 20);
+    REQUIRE(phase);
+    const SphereMotion &a = *motions[number - 1], &b = *phase->motion;
+    CHECK(a.sweptSpheres().untouchable() == b.sweptSpheres().untouchable());
+    const std::vector<Sphere> at = a.at(20.0 / 33), again = b.at(20.0 / 33);
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK(at[i].centre_A == again[i].centre_A);
+      CHECK(at[i].radius_A == again[i].radius_A);
+    }
+  }
+}
+
+TEST_CASE(
     "a motion of which a byte is missing or added is refused; one that cannot be reconstructed counts as unknown") {
   RecordedMotion motion{.ticks = 5, .from = {{{0, 0, 0}, 1.0}, {{3, 0, 0}, 1.5}}, .changes = {{Vec3(1, 0, 0)}, {}}};
   const std::string bytes = bytesOf(motion);

@@ -209,6 +209,19 @@ const std::filesystem::path kDockFolder = "/usr/share/autogrid/Tests";
 
 }  // namespace
 
+TEST_CASE("a map of 2 x + e with e = +-0.5 at right angles to x: factor 2, rms 0.5, correlation 8 / sqrt(65)") {
+  // x = -2, -2, 2, 2 and e = +, -, +, - are at right angles; a fifth node does not count.
+  const std::vector<float> x{-2, -2, 2, 2, 9}, map{-3.5f, -4.5f, 4.5f, 3.5f, 1e5f};
+  const MapAgreement found = mapAgreement(map, x, [](std::size_t node) { return node < 4; });
+  CHECK(found.points == 4);
+  CHECK(found.factor == doctest::Approx(2.0));
+  CHECK(found.rms == doctest::Approx(0.5));
+  CHECK(found.largest == doctest::Approx(0.5));
+  // var(map) = 16 + 0.25, cov = 8, var(x) = 4.
+  CHECK(found.correlation == doctest::Approx(8.0 / std::sqrt(4.0 * 16.25)));
+  CHECK(mapAgreement(map, x, [](std::size_t) { return false; }).points == 0);
+}
+
 TEST_CASE(
     "the finished maps of autogrid-test and ours agree to 0.01 kcal/mol rms outside the walls: electrostatic, and "
     "Lennard-Jones of the types without hydrogen bonds") {

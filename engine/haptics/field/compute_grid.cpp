@@ -88,6 +88,7 @@ std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const
     const Vec3 centre = box.node(i0, j0, k0) + Vec3(0.5 * (kBrick - 1) * box.spacing_A);
     const double half = 0.5 * (kBrick - 1) * box.spacing_A * std::sqrt(3.0);
     const std::vector<PairBlock> blocks = blocksNear(scene, atoms, centre, model.cutoff_A + half);
+    const PairRun all{blocks.data(), int(blocks.size())};
     for (int k = k0; k < std::min(k0 + kBrick, box.nodes[2]); ++k)
       for (int j = j0; j < std::min(j0 + kBrick, box.nodes[1]); ++j)
         for (int i = i0; i < std::min(i0 + kBrick, box.nodes[0]); ++i) {
@@ -97,7 +98,7 @@ std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const
           for (std::size_t size = 0; size < std::max<std::size_t>(sizes.size(), 1); ++size) {
             if (size < sizes.size()) own.half_minimum_A = sizes[size];
             PairTerms terms;
-            add(blocks.data(), int(blocks.size()), constants, own, terms);
+            add(&all, 1, constants, own, terms);
             if (size < sizes.size()) out.van_der_waals[size][node] = float(terms.energy[EnergyPart::VanDerWaals]);
             if (size == 0) out.electrostatic[node] = float(terms.energy[EnergyPart::Electrostatic]);
           }

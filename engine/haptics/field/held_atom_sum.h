@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/haptics/field/pair_sum.h"
@@ -16,6 +17,9 @@ class HeldAtomSum {
   /// Adds an atom at `arm` from the body's middle. Its curvature may come from a nearby pose. Returns the
   /// derivative of the felt energy by the atom's: 1 below zero without a gain.
   double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
+    // Nothing is within the cut-off.
+    if (terms.energy.total_kcal_mol() == 0.0 && terms.gradient == Vec3(0.0) && c == std::array<double, 6>{})
+      return felt_.at(0.0).slope;
     sum_.energy.parts += terms.energy;
     const auto [felt, first, second] = felt_.at(terms.energy.total_kcal_mol());
     sum_.energy.felt_kcal_mol += felt;

@@ -86,13 +86,6 @@ MOLTACT_INLINE Curve switched(const Curve& g, V8 s, V8 s1, V8 s2) {
   return {s * g.value, s1 * g.value + s * g.first, s2 * g.value + s1 * g.first * 2.0f + s * g.second};
 }
 
-MOLTACT_INLINE double total(V8 v) {
-  using V4d = double __attribute__((vector_size(32)));
-  const V4d four = __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3), V4d) +
-                   __builtin_convertvector(__builtin_shufflevector(v, v, 4, 5, 6, 7), V4d);
-  return (four[0] + four[2]) + (four[1] + four[3]);
-}
-
 // The pairs of one block.
 struct PairLanes {
   V8 dx, dy, dz;
@@ -100,24 +93,33 @@ struct PairLanes {
   V8 first, second;  // the derivatives by t
 };
 
-template <Dielectric kind>
+// `unswitched`: each atom is at least kMinPair_A away and nearer than the switch, which therefore is 1 (the same bits).
+template <Dielectric kind, bool unswitched>
 MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, const PairOwn& own) {
   PairLanes out;
   out.dx = own.x - load(block.x), out.dy = own.y - load(block.y), out.dz = own.z - load(block.z);
   const V8 far = out.dx * out.dx + out.dy * out.dy + out.dz * out.dz;
-  const V8 t = greater(far, all(kMinPair_A * kMinPair_A)), inverse_t = 1.0f / t;
-  const V8 u = smaller(greater((c.cut2 - t) * c.inverse_width, all(0.0f)), all(1.0f));
-  const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
-  const M8 between = (t > c.from2) & (t < c.cut2);
-  const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
+  const V8 t = unswitched ? far : greater(far, all(kMinPair_A * kMinPair_A)), inverse_t = 1.0f / t;
   // One curve for each EnergyPart, in its order.
   const Curve parts[] = {
       lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A), own.root_depth * load(block.root_depth)),
       coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e))};
   static_assert(sizeof parts == kEnergyParts * sizeof(Curve), "one curve for each EnergyPart");
+  out.first = out.second = all(0.0f);
+  if constexpr (unswitched) {
+    for (std::size_t k = 0; k < kEnergyParts; ++k) {
+      out.energy[k] = parts[k].value;
+      out.first += parts[k].first;
+      out.second += parts[k].second;
+    }
+    return out;
+  }
+  const V8 u = smaller(greater((c.cut2 - t) * c.inverse_width, all(0.0f)), all(1.0f));
+  const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
+  const M8 between = (t > c.from2) & (t < c.cut2);
+  const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
   // Nearer than kMinPair_A the energy continues with the slope at that distance.
   const V8 inside = far - t;
-  out.first = out.second = all(0.0f);
   for (std::size_t k = 0; k < kEnergyParts; ++k) {
     const Curve part = switched(parts[k], s, s1, s2);
     out.energy[k] = part.value + part.first * inside;
@@ -128,17 +130,24 @@ MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, c
   return out;
 }
 
-template <Dielectric kind, bool curved>
-MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
-                        PairTerms& terms) noexcept {
+MOLTACT_INLINE double total(V8 v) {
+  using V4d = double __attribute__((vector_size(32)));
+  const V4d four = __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3), V4d) +
+                   __builtin_convertvector(__builtin_shufflevector(v, v, 4, 5, 6, 7), V4d);
+  return (four[0] + four[2]) + (four[1] + four[3]);
+}
+
+// Sums over the pairs of several blocks, lane by lane.
+template <bool curved>
+struct LaneSums {
   V8 energy[kEnergyParts]{}, gx{}, gy{}, gz{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
-  for (int b = 0; b < count; ++b) {
-    const PairLanes p = pairs<kind>(blocks[b], c, own);
+
+  MOLTACT_INLINE void add(const PairLanes& p) {
     for (std::size_t k = 0; k < kEnergyParts; ++k) energy[k] += p.energy[k];
     gx += p.first * p.dx;
     gy += p.first * p.dy;
     gz += p.first * p.dz;
-    if constexpr (!curved) continue;
+    if constexpr (!curved) return;
     const V8 steep = p.second * 2.0f, ax = steep * p.dx, ay = steep * p.dy;
     xx += p.first + ax * p.dx;
     yy += p.first + ay * p.dy;
@@ -147,32 +156,53 @@ MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants&
     xz += ax * p.dz;
     yz += ay * p.dz;
   }
-  for (std::size_t k = 0; k < kEnergyParts; ++k) terms.energy.values[k] += total(energy[k]);
-  // By the place: t's derivative is 2 (dx, dy, dz).
-  terms.gradient += 2.0 * Vec3(total(gx), total(gy), total(gz));
-  if constexpr (!curved) return;
-  const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
-  for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += 2.0 * total(*curvature[k]);
+
+  MOLTACT_INLINE void addTo(PairTerms& terms) const {
+    for (std::size_t k = 0; k < kEnergyParts; ++k) terms.energy.values[k] += total(energy[k]);
+    // By the place: t's derivative is 2 (dx, dy, dz).
+    terms.gradient += 2.0 * Vec3(total(gx), total(gy), total(gz));
+    if constexpr (!curved) return;
+    const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
+    for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += 2.0 * total(*curvature[k]);
+  }
+};
+
+template <Dielectric kind, bool curved>
+MOLTACT_INLINE void add(const PairRun* runs, int count, const PairConstants& c, const PairOwn& own,
+                        PairTerms& terms) noexcept {
+  // The atom is at most this far from the centre of the blocks, with room for rounding.
+  const float off_A = std::sqrt(own.x * own.x + own.y * own.y + own.z * own.z) + 1e-3f;
+  const float beyond_A = c.cut_A + off_A, outside_A = float(kMinPair_A) + off_A, within_A = c.from_A - off_A;
+  LaneSums<curved> sums;
+  for (int r = 0; r < count; ++r)
+    for (int b = 0; b < runs[r].count; ++b) {
+      const PairBlock& block = runs[r].blocks[b];
+      if (block.nearest_A >= beyond_A) continue;
+      if (block.farthest_A < within_A && block.nearest_A > outside_A)
+        sums.add(pairs<kind, true>(block, c, own));
+      else
+        sums.add(pairs<kind, false>(block, c, own));
+    }
+  sums.addTo(terms);
 }
 
 template <Dielectric kind>
 void eachPair(const PairBlock& block, const PairConstants& c, const PairOwn& own, PairGradients& out) noexcept {
-  const PairLanes p = pairs<kind>(block, c, own);
+  const PairLanes p = pairs<kind, false>(block, c, own);
   const V8 slope = p.first * 2.0f, x = slope * p.dx, y = slope * p.dy, z = slope * p.dz;
   for (int k = 0; k < PairBlock::kLanes; ++k) out[std::size_t(k)] = Vec3(double(x[k]), double(y[k]), double(z[k]));
 }
 
 template <Dielectric kind, bool curved>
-void addPlain(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
-              PairTerms& terms) noexcept {
-  add<kind, curved>(blocks, count, c, own, terms);
+void addPlain(const PairRun* runs, int count, const PairConstants& c, const PairOwn& own, PairTerms& terms) noexcept {
+  add<kind, curved>(runs, count, c, own, terms);
 }
 
 #ifdef MOLTACT_HAS_AVX2_LOOP
 template <Dielectric kind, bool curved>
-__attribute__((target("avx2"))) void addAvx2(const PairBlock* blocks, int count, const PairConstants& c,
-                                             const PairOwn& own, PairTerms& terms) noexcept {
-  add<kind, curved>(blocks, count, c, own, terms);
+__attribute__((target("avx2"))) void addAvx2(const PairRun* runs, int count, const PairConstants& c, const PairOwn& own,
+                                             PairTerms& terms) noexcept {
+  add<kind, curved>(runs, count, c, own, terms);
 }
 #endif
 
@@ -205,6 +235,8 @@ PairKernel kernelOf(Dielectric kind, bool for_every_processor) noexcept {
 
 PairConstants::PairConstants(const PairModel& model)
     : coulomb(float(kCoulomb_kcal_A / (model.kind == Dielectric::MehlerSolmajer ? 1.0 : model.dielectric))),
+      cut_A(float(model.cutoff_A)),
+      from_A(float(model.switch_from_A)),
       cut2(float(model.cutoff_A * model.cutoff_A)),
       from2(float(model.switch_from_A * model.switch_from_A)),
       inverse_width(1.0f / (cut2 - from2)) {}

@@ -15,14 +15,21 @@ namespace moltact {
 struct alignas(32) PairBlock {
   static constexpr int kLanes = 8;
   float x[kLanes], y[kLanes], z[kLanes], charge_e[kLanes], half_minimum_A[kLanes], root_depth[kLanes];
+  /// Bounds of the atoms' distances from the centre. The loops skip what cannot be within the cut-off, and the switch where
+  /// no atom can reach it; the result does not change. The defaults hold for any atoms.
+  float nearest_A = 0.0f, farthest_A = 1e30f;
 
   void set(int lane, const Vec3& relative, const PairAtom& atom) noexcept {
-    x[lane] = float(relative.x);
-    y[lane] = float(relative.y);
-    z[lane] = float(relative.z);
+    set(lane, relative, atom, std::sqrt(atom.depth_kcal_mol));
+  }
+  /// The same with the square root of the atom's depth.
+  void set(int lane, const glm::vec3& relative, const PairAtom& atom, float root) noexcept {
+    x[lane] = relative.x;
+    y[lane] = relative.y;
+    z[lane] = relative.z;
     charge_e[lane] = atom.charge_e;
     half_minimum_A[lane] = atom.half_minimum_A;
-    root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
+    root_depth[lane] = root;
   }
   /// Clears the lanes from this one on by moving them beyond every cut-off.
   void clear(int from_lane) noexcept {
@@ -51,14 +58,22 @@ struct PairTerms {
   std::array<double, 6> curvature{};  // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
 };
 
+/// Blocks that lie one after the other.
+struct PairRun {
+  const PairBlock* blocks;
+  int count;
+};
+
 /// A PairModel's numbers, as the loop needs them.
 struct PairConstants {
   explicit PairConstants(const PairModel& model);
   float coulomb;                     // of charges in the model's dielectric
-  float cut2, from2, inverse_width;  // squares of cut-off and start of the switch; 1 / (cut2 - from2)
+  float cut_A, from_A;               // cut-off and start of the switch
+  float cut2, from2, inverse_width;  // their squares; 1 / (cut2 - from2)
 };
 
-using AddPairs = void (*)(const PairBlock* blocks, int count, const PairConstants& constants, const PairOwn& own,
+/// The sums over the pairs of all runs, of `count` runs.
+using AddPairs = void (*)(const PairRun* runs, int count, const PairConstants& constants, const PairOwn& own,
                           PairTerms& terms) noexcept;
 
 /// The gradient of each pair's energy with respect to the own atom's position (unit: kcal/mol/A).

@@ -55,13 +55,13 @@ void PairShares::at(const PoseA& pose) {
   for (const Group& group : groups_) {
     if (glm::distance(pose.place.A, group.centre_A) > reach_A_ + group.radius_A + cut) continue;
     EnergyShare share{.index = group.number};
+    const PairRun run{blocks_.data() + group.first_block, group.blocks};
     bool near = false;
     for (std::size_t k = 0; k < held_.size(); ++k) {
       const Vec3 relative = places_[k] - group.centre_A;
       if (glm::length(relative) > group.radius_A + cut) continue;
       PairTerms terms;
-      kernel_.slope(blocks_.data() + group.first_block, group.blocks, constants_, PairOwn(field_->held[k], relative),
-                    terms);
+      kernel_.slope(&run, 1, constants_, PairOwn(field_->held[k], relative), terms);
       near = true;
       pairs_ += std::size_t(group.atoms);
       share.parts += terms.energy;
@@ -79,8 +79,9 @@ std::vector<NearPair> PairShares::pairsAbove(double least_kcal_mol) const {
       PairBlock block;
       block.clear(0);
       block.set(0, sphere.centre_A - places_[k], field_->atoms[index]);
+      const PairRun one{&block, 1};
       PairTerms terms;
-      kernel_.slope(&block, 1, constants_, PairOwn(field_->held[k], Vec3(0.0)), terms);
+      kernel_.slope(&one, 1, constants_, PairOwn(field_->held[k], Vec3(0.0)), terms);
       const double energy = terms.energy[EnergyPart::VanDerWaals];
       if (energy >= least_kcal_mol) out.push_back({std::uint32_t(k), index, energy});
     });

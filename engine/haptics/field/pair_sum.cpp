@@ -21,12 +21,16 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
       places_(body_.size()),
       curvatures_(body_.size()),
       slopes_(body_.size()) {
+  root_depths_.reserve(atoms_.size());
+  for (const PairAtom& atom : atoms_) root_depths_.push_back(std::sqrt(atom.depth_kcal_mol));
   // No atom has more neighbours than there are atoms, nor than fit round the most crowded place. The latter is bounded
   // by twice a protein's density with all hydrogens, 0.1 atoms per cubic angstrom.
   const double reach = model_.cutoff_A + kMargin_A;
   const auto crowded = std::size_t(0.2 * 4.19 * reach * reach * reach);
   const std::size_t each = std::min(atoms_.size(), crowded) / Chunk::kAtoms + 2;
   chunks_.resize(std::min(body_.size() * each, kMaxListedPairs / Chunk::kAtoms));
+  candidates_.resize(std::clamp<std::size_t>(std::min(atoms_.size(), crowded), 1, kMaxCandidates));
+  order_.resize(candidates_.size());
   for (std::size_t k = 0; k < chunks_.size(); ++k) {
     chunks_[k].next = free_;
     free_ = std::int32_t(k);
@@ -34,8 +38,9 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
 }
 
 std::size_t PairSum::bytes() const noexcept {
-  return chunks_.capacity() * sizeof(Chunk) + (atoms_.capacity() + body_.capacity()) * sizeof(PairAtom) +
-         lists_.capacity() * sizeof(List) + places_.capacity() * sizeof(Vec3);
+  return chunks_.capacity() * sizeof(Chunk) + candidates_.capacity() * (sizeof(Candidate) + sizeof order_[0]) +
+         (atoms_.capacity() + body_.capacity()) * sizeof(PairAtom) + lists_.capacity() * sizeof(List) +
+         places_.capacity() * sizeof(Vec3);
 }
 
 void PairSum::release(List& list) noexcept {
@@ -49,44 +54,70 @@ void PairSum::release(List& list) noexcept {
   list = {};
 }
 
+// Lists the first `count` candidates from near to far; false if no memory is left.
+bool PairSum::append(List& list, std::size_t count) noexcept {
+  // Counted into shells of equal widths of the squared distance.
+  constexpr std::size_t kShells = 64;
+  const double reach = model_.cutoff_A + kMargin_A;
+  const float shells_per_A2 = float(double(kShells) / (reach * reach));
+  const auto shell = [&](const Candidate& c) {
+    return std::min(std::size_t(c.squared_A2 * shells_per_A2), kShells - 1);
+  };
+  std::array<std::uint32_t, kShells + 1> begins{};
+  for (std::size_t k = 0; k < count; ++k) ++begins[shell(candidates_[k]) + 1];
+  for (std::size_t k = 0; k < kShells; ++k) begins[k + 1] += begins[k];
+  for (std::size_t k = 0; k < count; ++k) order_[begins[shell(candidates_[k])]++] = std::uint32_t(k);
+
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto at = std::size_t(list.atoms) % Chunk::kAtoms;
+    if (at == 0) {
+      if (free_ < 0) return false;
+      const std::int32_t fresh = free_;
+      free_ = chunks_[std::size_t(fresh)].next;
+      chunks_[std::size_t(fresh)].next = -1;
+      (list.last < 0 ? list.first : chunks_[std::size_t(list.last)].next) = fresh;
+      list.last = fresh;
+    }
+    const Candidate& next = candidates_[order_[k]];
+    Chunk& chunk = chunks_[std::size_t(list.last)];
+    PairBlock& block = chunk.blocks[at / PairBlock::kLanes];
+    const int lane = int(at % PairBlock::kLanes);
+    const float away_A = std::sqrt(next.squared_A2);
+    block.nearest_A = lane == 0 ? away_A : std::min(block.nearest_A, away_A);
+    block.farthest_A = lane == 0 ? away_A : std::max(block.farthest_A, away_A);
+    block.set(lane, next.relative_A, atoms_[next.atom], root_depths_[next.atom]);
+    chunk.atoms[at] = next.atom;
+    ++list.atoms;
+  }
+  return true;
+}
+
 void PairSum::renew(List& list, const Vec3& centre) noexcept {
   release(list);
   list.centre_A = centre;
   list.valid = true;
   const double reach = model_.cutoff_A + kMargin_A;
-  std::int32_t last = -1;
-  int at = Chunk::kAtoms;
+  std::size_t count = 0;
   scene_->visitCentresNear(centre, reach, [&](std::uint32_t index, const Sphere& sphere) {
     const Vec3 relative = sphere.centre_A - centre;
-    if (glm::dot(relative, relative) > reach * reach) return true;
-    if (at == Chunk::kAtoms) {
-      if (free_ < 0) {
-        list.whole = false;
-        return false;
-      }
-      const std::int32_t fresh = free_;
-      free_ = chunks_[std::size_t(fresh)].next;
-      chunks_[std::size_t(fresh)].next = -1;
-      (last < 0 ? list.first : chunks_[std::size_t(last)].next) = fresh;
-      last = fresh;
-      at = 0;
-    }
-    Chunk& chunk = chunks_[std::size_t(last)];
-    chunk.blocks[std::size_t(at / PairBlock::kLanes)].set(at % PairBlock::kLanes, relative, atoms_[index]);
-    chunk.atoms[std::size_t(at)] = index;
-    ++at;
-    ++list.atoms;
-    return true;
+    const double squared = glm::dot(relative, relative);
+    if (squared > reach * reach) return true;
+    candidates_[count++] = {glm::vec3(relative), float(squared), index};
+    if (count < candidates_.size()) return true;
+    list.whole = append(list, count);
+    count = 0;
+    return list.whole;
   });
+  list.whole = list.whole && append(list, count);
   listed_pairs_ += std::size_t(list.atoms);
+  const auto at = std::size_t(list.atoms) % Chunk::kAtoms;
   if (!list.whole) {
-    const Vec3 kept = list.centre_A;
     release(list);
-    list.centre_A = kept;
+    list.centre_A = centre;
     list.valid = true;
     list.whole = false;
-  } else if (last >= 0 && at % PairBlock::kLanes != 0) {
-    chunks_[std::size_t(last)].blocks[std::size_t(at / PairBlock::kLanes)].clear(at % PairBlock::kLanes);
+  } else if (at % PairBlock::kLanes != 0) {
+    chunks_[std::size_t(list.last)].blocks[at / PairBlock::kLanes].clear(int(at % PairBlock::kLanes));
   }
   ++renewed_;
 }
@@ -145,24 +176,32 @@ PairTerms PairSum::sum(std::size_t atom, AddPairs add) const noexcept {
   const Vec3& place = places_[atom];
   const PairOwn self = own(atom);
   if (list.whole) {
-    int left = (list.atoms + PairBlock::kLanes - 1) / PairBlock::kLanes;
-    for (std::int32_t k = list.first; k >= 0; k = chunks_[std::size_t(k)].next) {
-      add(chunks_[std::size_t(k)].blocks.data(), std::min(left, Chunk::kBlocks), constants_, self, terms);
-      left -= Chunk::kBlocks;
+    std::array<PairRun, 8> runs;
+    std::size_t count = 0;
+    std::int32_t k = list.first;
+    for (int left = (list.atoms + PairBlock::kLanes - 1) / PairBlock::kLanes; left > 0; left -= Chunk::kBlocks) {
+      const Chunk& chunk = chunks_[std::size_t(k)];
+      runs[count++] = {chunk.blocks.data(), std::min(left, Chunk::kBlocks)};
+      if (left > Chunk::kBlocks) k = chunk.next;  // read only if needed: it lies in a cache line of its own
+      if (count == runs.size() || left <= Chunk::kBlocks) {
+        add(runs.data(), int(count), constants_, self, terms);
+        count = 0;
+      }
     }
     return terms;
   }
   PairBlock block;
+  const PairRun one{&block, 1};
   int lane = 0;
   scene_->visitCentresNear(place, model_.cutoff_A, [&](std::uint32_t index, const Sphere& sphere) {
     block.set(lane++, sphere.centre_A - place, atoms_[index]);
     if (lane < PairBlock::kLanes) return;
-    add(&block, 1, constants_, self, terms);
+    add(&one, 1, constants_, self, terms);
     lane = 0;
   });
   if (lane > 0) {
     block.clear(lane);
-    add(&block, 1, constants_, self, terms);
+    add(&one, 1, constants_, self, terms);
   }
   return terms;
 }

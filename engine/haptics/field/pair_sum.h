@@ -34,7 +34,7 @@ class PairSum {
   static constexpr double kMargin_A = 1.0;
   static constexpr double kRenewFrom_A = 0.75;  ///< a list is renewed in turn where its atom has moved farther
   static constexpr int kCurvatureTicks = 8;
-  /// The largest number of pairs in lists; 24 bytes each.
+  /// The largest number of pairs in lists; 32 bytes each.
   static constexpr std::size_t kMaxListedPairs = 1 << 21;
 
   /// `atoms` has one entry for each sphere of `scene`, whose centres are used. Untouchable spheres do not contribute. The
@@ -58,6 +58,7 @@ class PairSum {
   std::size_t bytes() const noexcept;
 
  private:
+  static constexpr std::size_t kMaxCandidates = 4096;
   struct Chunk {
     static constexpr int kBlocks = 8, kAtoms = kBlocks * PairBlock::kLanes;
     std::array<PairBlock, kBlocks> blocks;
@@ -66,12 +67,20 @@ class PairSum {
   };
   struct List {
     Vec3 centre_A{0.0};
-    std::int32_t first = -1;  // chunk
+    std::int32_t first = -1, last = -1;  // chunks
     std::int32_t atoms = 0;
     bool valid = false, whole = true;  // not whole: no memory was left
   };
 
+  /// An atom of the scene for a list. Longer lists are sorted in parts.
+  struct Candidate {
+    glm::vec3 relative_A;
+    float squared_A2;
+    std::uint32_t atom;
+  };
+
   void renew(List& list, const Vec3& centre) noexcept;
+  bool append(List& list, std::size_t count) noexcept;
   void release(List& list) noexcept;
   PairOwn own(std::size_t atom) const noexcept;
   template <class Visit>
@@ -80,6 +89,7 @@ class PairSum {
 
   std::shared_ptr<const SphereGrid> scene_;
   std::vector<PairAtom> atoms_, body_;
+  std::vector<float> root_depths_;  // of atoms_
   PairModel model_;
   FeltFunction felt_;
   PairConstants constants_;
@@ -87,6 +97,8 @@ class PairSum {
   std::vector<List> lists_;
   std::vector<Vec3> places_;
   std::vector<Chunk> chunks_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::uint32_t> order_;  // of candidates_, near to far
   std::int32_t free_ = -1;
   std::vector<std::array<double, 6>> curvatures_;  // of body_
   std::vector<double> slopes_;                     // of the bound of each body atom's energy, at the last pose
