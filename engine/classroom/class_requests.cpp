@@ -19,6 +19,7 @@ namespace {
 using RequestJson = nlohmann::ordered_json;
 
 constexpr RateLimit kStudentRate{40.0, 10.0};
+constexpr double kBoardFor_s = 1.0;
 constexpr std::size_t kStudentToken = 26, kMaxLinesOfRequest = 5000;
 
 // The marker in app/web/page.html, behind which the page's scripts stand.
@@ -83,6 +84,13 @@ std::optional<std::string> textOf(const RequestJson& json, const char* key) {
 std::optional<std::size_t> numberOf(const RequestJson& json, const char* key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_number_unsigned() ? std::optional(found->get<std::size_t>()) : std::nullopt;
+}
+
+ShownPlot shownPlot(const RequestJson& body, const std::string& lesson) {
+  const bool curve = body.contains("task");
+  constexpr std::size_t kNone = ~std::size_t{0};
+  return {lesson, numberOf(body, "step").value_or(kNone), numberOf(body, curve ? "task" : "question").value_or(kNone),
+          curve};
 }
 
 RequestJson objectOf(const std::string& body) {
@@ -178,10 +186,13 @@ ClassReply ClassRequests::studentAnswer(std::string_view path, const ClassReques
     return out;
   }
   if (path == "board") {
+    // Everyone who has the code may ask for it at any rate, so that it is made once in a second.
     const std::lock_guard held(lock_);
-    std::size_t here = 0;
-    for (const LiveStudent& student : room_.students()) here += request.now_s - student.seen_s <= kAwayAfter_s;
-    return htmlReply(boardPage({site_.address, site_.shared}, here), kReportPolicy);
+    if (board_.empty() || request.now_s - board_at_s_ >= kBoardFor_s) {
+      board_ = boardPage({site_.address, site_.shared}, boardOf(room_, request.now_s));
+      board_at_s_ = request.now_s;
+    }
+    return htmlReply(board_, kReportPolicy);
   }
   for (std::size_t k = 0; k < site_.lessons.size(); ++k)
     if (path == "lesson/" + std::to_string(k)) {
@@ -296,10 +307,15 @@ ClassReply ClassRequests::steer(const ClassRequest& request) {
       record = room_.hold(lesson, numberOf(body, "step").value_or(~std::size_t{0}));
     else if (act == "open")
       record = room_.open(lesson);
+    else if (act == "show")
+      record = room_.show(shownPlot(body, lesson));
+    else if (act == "hide")
+      record = room_.hide();
     else if (act == "end")
       record = room_.end();
     if (record.empty()) return plainReply(400, tr("The request cannot be read."));
     ticket = store_.add(record);
+    board_.clear();
   }
   if (store_.commit(ticket)) return plainReply(503, tr("The class's disk takes nothing now."));
   return jsonReply(200, {{"done", act}});

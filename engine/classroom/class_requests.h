@@ -96,6 +96,8 @@ class ClassRequests {
   RateByAddress joins_{{double(kMaxStudents), 1.0}}, guesses_{{20.0, 0.2}};
   std::shared_ptr<const std::string> page_;
   std::string page_tag_;
+  std::string board_;  // the projector's page, made at board_at_s_
+  double board_at_s_ = 0.0;
 };
 
 }  // namespace moltact

@@ -299,6 +299,31 @@ std::string ClassRoom::open(const std::string& lesson) {
   return recordText({{"kind", "opened"}, {"lesson", lesson}});
 }
 
+std::string ClassRoom::show(const ShownPlot& plot) {
+  const auto lesson =
+      std::find_if(lessons_.begin(), lessons_.end(), [&](const ClassLesson& one) { return one.id == plot.lesson; });
+  if (lesson == lessons_.end() || plot.step >= lesson->outline.steps.size()) return {};
+  const StepOutline& step = lesson->outline.steps[plot.step];
+  if (plot.number >= (plot.curve ? step.tasks.size() : step.questions.size())) return {};
+  // Of typed predictions there is no plot, and what students type is nothing for the projector.
+  if (!plot.curve &&
+      (step.questions[plot.number].kind != AnswerKind::Prediction || step.questions[plot.number].choices.empty()))
+    return {};
+  shown_ = plot;
+  ++version_;
+  return recordText({{"kind", "shown"},
+                     {"lesson", plot.lesson},
+                     {"step", plot.step},
+                     {plot.curve ? "task" : "question", plot.number}});
+}
+
+std::string ClassRoom::hide() {
+  if (!shown_) return {};
+  shown_.reset();
+  ++version_;
+  return recordText({{"kind", "hidden"}});
+}
+
 std::string ClassRoom::end() {
   if (ended_) return {};
   ended_ = true;
@@ -344,6 +369,11 @@ bool ClassRoom::restore(std::string_view record) {
   }
   if (kind == "held") return !hold(text("lesson"), number("step")).empty();
   if (kind == "opened") return !open(text("lesson")).empty();
+  if (kind == "shown") {
+    const bool curve = r.contains("task");
+    return !show({text("lesson"), number("step"), number(curve ? "task" : "question"), curve}).empty();
+  }
+  if (kind == "hidden") return !hide().empty();
   if (kind == "ended") return !end().empty();
   return false;
 }

@@ -66,6 +66,16 @@ struct LiveAttempt {
   double spent_s(std::size_t at) const;
 };
 
+/// A plot of the class's predictions that the teacher shows to the class: of a question with choices, or of a task before
+/// which students draw a force curve.
+struct ShownPlot {
+  std::string lesson;                ///< ClassLesson::id
+  std::size_t step = 0, number = 0;  ///< of the question or the task in the step
+  bool curve = false;                ///< of a task
+
+  friend bool operator==(const ShownPlot&, const ShownPlot&) = default;
+};
+
 struct LiveStudent {
   std::string name, token;
   double joined_s = 0.0;              ///< first seen, after a restart too
@@ -117,6 +127,9 @@ class ClassRoom {
   /// Nobody may go beyond this step of the lesson (ClassLesson::id), until it is opened. Empty if there is no such step.
   std::string hold(const std::string& lesson, std::size_t step);
   std::string open(const std::string& lesson);
+  /// Shows this plot to the class instead of another. Empty if there is no such question or task.
+  std::string show(const ShownPlot& plot);
+  std::string hide();
   std::string end();
 
   /// Repeats a record, in the order in which they were made. False: it is none.
@@ -125,6 +138,7 @@ class ClassRoom {
   const std::vector<ClassLesson>& lessons() const { return lessons_; }
   const std::vector<LiveStudent>& students() const { return students_; }
   const std::map<std::string, std::size_t>& held() const { return held_; }  ///< step by lesson
+  const std::optional<ShownPlot>& shown() const { return shown_; }
   bool ended() const { return ended_; }
   /// Grows with every change that the teacher's page shows.
   std::uint64_t version() const { return version_; }
@@ -137,6 +151,7 @@ class ClassRoom {
   NameBook names_;
   std::vector<LiveStudent> students_;
   std::map<std::string, std::size_t> held_;
+  std::optional<ShownPlot> shown_;
   bool ended_ = false;
   std::uint64_t version_ = 0;
 };

@@ -90,31 +90,57 @@ StudentRow rowOf(const LiveStudent& student, double now_s) {
   return row;
 }
 
-void addPredictions(LessonView& view, const LessonAttempts& of) {
+PredictionPlot predictionPlot(const LessonAttempts& of, std::size_t s, std::size_t q) {
+  const StepOutline& step = of.lesson.steps[s];
+  const QuestionOutline& asked = step.questions[q];
+  PredictionPlot plot{s,  q, step.title, asked.text, asked.choices, std::vector<std::size_t>(asked.choices.size()),
+                      {}, 0, 0};
+  for (const AttemptAt& one : of.attempts) {
+    const auto answer = one.attempt->answers.find({s, q});
+    if (answer == one.attempt->answers.end()) continue;
+    ++plot.students;
+    for (const std::size_t choice : answer->second.chosen)
+      if (choice < plot.counts.size()) ++plot.counts[choice];
+    if (!answer->second.written.empty() && plot.written.size() < kMaxShownTexts)
+      plot.written.push_back(answer->second.written);
+  }
+  std::sort(plot.written.begin(), plot.written.end());  // not in the order of the students
+  return plot;
+}
+
+CurvePlot curvePlot(const LessonAttempts& of, std::size_t s, std::size_t t) {
+  CurvePlot plot{s, t, of.lesson.steps[s].title, of.lesson.steps[s].tasks[t].say, {}, 0};
+  for (const AttemptAt& one : of.attempts)
+    if (const auto curve = one.attempt->curves.find({s, t}); curve != one.attempt->curves.end())
+      plot.curves.push_back(curve->second);
+  return plot;
+}
+
+// Students here whose present attempt is at the lesson and lacks what `has` looks for.
+template <class Has>
+std::size_t waitingFor(const LessonAttempts& of, const ClassRoom& room, double now_s, const Has& has) {
+  return std::size_t(std::count_if(of.attempts.begin(), of.attempts.end(), [&](const AttemptAt& one) {
+    const LiveStudent& student = room.students()[one.student];
+    return now_s - student.seen_s <= kAwayAfter_s && &student.attempts[student.current] == one.attempt &&
+           !has(*one.attempt);
+  }));
+}
+
+void addPredictions(LessonView& view, const LessonAttempts& of, const ClassRoom& room, double now_s) {
   for (std::size_t s = 0; s < of.lesson.steps.size(); ++s) {
     const StepOutline& step = of.lesson.steps[s];
     for (std::size_t q = 0; q < step.questions.size(); ++q) {
-      const QuestionOutline& asked = step.questions[q];
-      if (asked.kind != AnswerKind::Prediction) continue;
-      PredictionPlot plot{step.title, asked.text, asked.choices, std::vector<std::size_t>(asked.choices.size()), {}, 0};
-      for (const AttemptAt& one : of.attempts) {
-        const auto answer = one.attempt->answers.find({s, q});
-        if (answer == one.attempt->answers.end()) continue;
-        ++plot.students;
-        for (const std::size_t choice : answer->second.chosen)
-          if (choice < plot.counts.size()) ++plot.counts[choice];
-        if (!answer->second.written.empty() && plot.written.size() < kMaxShownTexts)
-          plot.written.push_back(answer->second.written);
-      }
-      std::sort(plot.written.begin(), plot.written.end());  // not in the order of the students
-      if (plot.students > 0) view.predictions.push_back(std::move(plot));
+      if (step.questions[q].kind != AnswerKind::Prediction) continue;
+      PredictionPlot plot = predictionPlot(of, s, q);
+      if (plot.students == 0) continue;
+      plot.waiting = waitingFor(of, room, now_s, [&](const LiveAttempt& one) { return one.answers.contains({s, q}); });
+      view.predictions.push_back(std::move(plot));
     }
     for (std::size_t t = 0; t < step.tasks.size(); ++t) {
-      CurvePlot plot{step.title, step.tasks[t].say, {}};
-      for (const AttemptAt& one : of.attempts)
-        if (const auto curve = one.attempt->curves.find({s, t}); curve != one.attempt->curves.end())
-          plot.curves.push_back(curve->second);
-      if (!plot.curves.empty()) view.curves.push_back(std::move(plot));
+      CurvePlot plot = curvePlot(of, s, t);
+      if (plot.curves.empty()) continue;
+      plot.waiting = waitingFor(of, room, now_s, [&](const LiveAttempt& one) { return one.curves.contains({s, t}); });
+      view.curves.push_back(std::move(plot));
     }
   }
 }
@@ -154,6 +180,7 @@ void markUnbegun(ClassView& view, const ClassRoom& room, double now_s) {
 ClassView viewOf(const ClassRoom& room, double now_s) {
   ClassView out;
   out.ended = room.ended();
+  out.shown = room.shown();
   for (const LiveStudent& student : room.students()) {
     out.students.push_back(rowOf(student, now_s));
     ++(out.students.back().away ? out.away : out.here);
@@ -186,7 +213,7 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
         ++out.stuck;
       }
     }
-    addPredictions(view, group);
+    addPredictions(view, group, room, now_s);
     addMisconceptions(misconceptions, group, room);
     out.lessons.push_back(std::move(view));
   }
@@ -198,6 +225,25 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
   std::stable_sort(out.students.begin(), out.students.end(), [](const StudentRow& a, const StudentRow& b) {
     return a.stuck != b.stuck ? a.stuck : lower(a.name) < lower(b.name);
   });
+  return out;
+}
+
+BoardView boardOf(const ClassRoom& room, double now_s) {
+  BoardView out;
+  for (const LiveStudent& student : room.students()) out.here += now_s - student.seen_s <= kAwayAfter_s;
+  if (!room.shown()) return out;
+  const ShownPlot& shown = *room.shown();
+  for (const LessonAttempts& group : byLesson(room)) {
+    if (group.id != shown.lesson) continue;
+    if (shown.curve) {
+      out.curve = curvePlot(group, shown.step, shown.number);
+      if (out.curve->curves.size() < kShownFrom) out.curve.reset();
+    } else {
+      out.prediction = predictionPlot(group, shown.step, shown.number);
+      out.prediction->written.clear();
+      if (out.prediction->students < kShownFrom) out.prediction.reset();
+    }
+  }
   return out;
 }
 

@@ -15,6 +15,8 @@ inline constexpr double kAwayAfter_s = 15.0;
 /// Who joined so long ago (unit: second) and has no attempt is stuck, if three quarters of the others have begun, and at
 /// least three of them.
 inline constexpr double kUnbegunAfter_s = 60.0;
+/// Fewer predictions are not shown to the class: a plot of one or two shows who made them.
+inline constexpr std::size_t kShownFrom = 3;
 inline constexpr std::size_t kMaxShownTitle = 200;  ///< characters of a title that a student's page sent
 
 struct StudentRow {
@@ -44,17 +46,21 @@ struct MisconceptionRow {
 
 /// The predictions of the class at a question, before the touch.
 struct PredictionPlot {
+  std::size_t at_step = 0, at_question = 0;
   std::string step, question;
   std::vector<std::string> choices;
   std::vector<std::size_t> counts;   ///< students by choice
   std::vector<std::string> written;  ///< typed ones, without names
   std::size_t students = 0;
+  std::size_t waiting = 0;  ///< students here who work on the lesson and have not predicted
 };
 
 /// The force curves that the class drew before feeling them, over each other.
 struct CurvePlot {
+  std::size_t at_step = 0, at_task = 0;
   std::string step, task;
   std::vector<CurveKept> curves;
+  std::size_t waiting = 0;  ///< as in PredictionPlot
 };
 
 struct LessonView {
@@ -70,10 +76,21 @@ struct ClassView {
   std::vector<StudentRow> students;              ///< those who are stuck first, then by name
   std::vector<LessonView> lessons;               ///< the teacher's; those with students first
   std::vector<MisconceptionRow> misconceptions;  ///< the most frequent first
+  std::optional<ShownPlot> shown;                ///< to the class
   std::size_t here = 0, away = 0, stuck = 0, finished = 0;
   bool ended = false;
 };
 
 ClassView viewOf(const ClassRoom& room, double now_s);
+
+/// What the room sees: how many are here, and the plot that the teacher shows, if kShownFrom students have predicted. It has
+/// no name and nothing that a student typed.
+struct BoardView {
+  std::size_t here = 0;
+  std::optional<PredictionPlot> prediction;
+  std::optional<CurvePlot> curve;
+};
+
+BoardView boardOf(const ClassRoom& room, double now_s);
 
 }  // namespace moltact

@@ -100,6 +100,7 @@ std::vector<std::string> hostsOf(bool share, int port) {
     const LocalAddresses local = localAddresses();
     names = local.ip;
     if (names.empty()) names.emplace_back("127.0.0.1");  // in no network
+    names.insert(names.end(), local.bridges.begin(), local.bridges.end());
     if (!local.host.empty()) {
       names.push_back(lower(local.host));
       names.push_back(lower(local.host) + ".local");

@@ -147,6 +147,42 @@ std::string curvesSvg(const CurvePlot& plot) {
                                escaped(plot.task) + "\"");
 }
 
+std::string choiceBars(const PredictionPlot& plot) {
+  std::string out;
+  for (std::size_t k = 0; k < plot.choices.size(); ++k) out += barRow(plot.choices[k], plot.counts[k], plot.students);
+  return out;
+}
+
+// The button that puts a plot on the projector's page, or takes it off. Who has not predicted yet would see the others'
+// predictions first, so that the teacher is asked then.
+std::string showButton(const ClassView& view, const ShownPlot& plot, std::size_t students, std::size_t waiting) {
+  const std::string what = std::string(plot.curve ? "task" : "question") + "-" + escaped(plot.lesson) + "-" +
+                           std::to_string(plot.step) + "-" + std::to_string(plot.number);
+  if (view.shown == plot)
+    return std::string("<p class=\"held\">") + tr("The page for the projector shows this.") +
+           " <button data-do=\"hide\" id=\"hide-" + what + "\">" + tr("Take it off") + "</button></p>";
+  if (students < kShownFrom)
+    return "<p class=\"quiet\">" + trf("It can be shown to the class with {0} predictions and more.", kShownFrom) +
+           "</p>";
+  std::string out = "<p><button class=\"small\" data-do=\"show\" id=\"show-" + what + "\" data-lesson=\"" +
+                    escaped(plot.lesson) + "\" data-step=\"" + std::to_string(plot.step) + "\" data-" +
+                    (plot.curve ? "task" : "question") + "=\"" + std::to_string(plot.number) + "\"";
+  if (waiting > 0)
+    out +=
+        " data-sure=\"" +
+        escaped(trnf("{0} student here has not predicted yet and would see the others' predictions first. Show it?",
+                     "{0} students here have not predicted yet and would see the others' predictions first. Show it?",
+                     waiting, waiting)) +
+        "\"";
+  return out + ">" + tr("Show this prediction to the class") + "</button>" +
+         (waiting > 0 ? " <span class=\"quiet\">" +
+                            trnf("{0} student here has not predicted yet.", "{0} students here have not predicted yet.",
+                                 waiting, waiting) +
+                            "</span>"
+                      : std::string()) +
+         "</p>";
+}
+
 std::string answersPart(const ClassView& view) {
   std::string out;
   if (!view.misconceptions.empty()) {
@@ -164,16 +200,20 @@ std::string answersPart(const ClassView& view) {
              trnf("Prediction of {0} student, {1}", "Predictions of {0} students, {1}", plot.students, plot.students,
                   escaped(plot.step)) +
              "</p><ul class=\"bars\">";
-      for (std::size_t k = 0; k < plot.choices.size(); ++k)
-        out += barRow(plot.choices[k], plot.counts[k], plot.students);
+      out += choiceBars(plot);
       for (const std::string& text : plot.written) out += "<li class=\"text\">" + escaped(text) + "</li>";
-      out += "</ul></article>";
+      out += "</ul>";
+      if (!plot.choices.empty())
+        out += showButton(view, {lesson.id, plot.at_step, plot.at_question, false}, plot.students, plot.waiting);
+      out += "</article>";
     }
     for (const CurvePlot& plot : lesson.curves)
       out += "<article class=\"card\"><h3>" + escaped(plot.task) + "</h3><p class=\"quiet\">" +
              trnf("Force curve that {0} student drew, {1}", "Force curves that {0} students drew, {1}",
                   plot.curves.size(), plot.curves.size(), escaped(plot.step)) +
-             "</p>" + curvesSvg(plot) + "</article>";
+             "</p>" + curvesSvg(plot) +
+             showButton(view, {lesson.id, plot.at_step, plot.at_task, true}, plot.curves.size(), plot.waiting) +
+             "</article>";
   }
   return out.empty() ? std::string("<p class=\"quiet\">") +
                            tr("Predictions and wrong answers that show a misconception stand here.") + "</p>"
@@ -189,20 +229,31 @@ std::vector<std::pair<std::string, std::string>> teacherParts(const ClassView& v
           {"answers", answersPart(view)}};
 }
 
-std::string boardPage(const TeacherPageFacts& facts, std::size_t here) {
+std::string boardPage(const TeacherPageFacts& facts, const BoardView& board) {
+  std::string plot;
+  if (board.prediction)
+    plot = "<h1>" + escaped(board.prediction->question) + "</h1><p class=\"quiet\">" +
+           trnf("What {0} student expects", "What {0} students expect", board.prediction->students,
+                board.prediction->students) +
+           "</p><ul class=\"bars\">" + choiceBars(*board.prediction) + "</ul>";
+  else if (board.curve)
+    plot = "<h1>" + escaped(board.curve->task) + "</h1><p class=\"quiet\">" +
+           trnf("The force that {0} student expects", "The force that {0} students expect", board.curve->curves.size(),
+                board.curve->curves.size()) +
+           "</p>" + curvesSvg(*board.curve);
   std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
                     "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
                     "initial-scale=1\"><meta http-equiv=\"refresh\" content=\"5\"><title>" +
-                    tr("Live class") + "</title><style>" + teacherStyle() +
-                    "</style></head><body class=\"board\"><main><p>" + tr("Open this address") +
-                    "</p><p class=\"big\">" + escaped(facts.address) + "</p>";
+                    tr("Live class") + "</title><style>" + teacherStyle() + "</style></head><body class=\"board" +
+                    (plot.empty() ? "" : " plot") + "\"><main>" + plot + "<section><div><p>" + tr("Open this address") +
+                    "</p><p class=\"big\">" + escaped(facts.address) + "</p><p>" + std::to_string(board.here) + " " +
+                    trn("student here", "students here", board.here) + "</p></div>";
   if (facts.shared)
     out += qrSvg(qrCode(facts.address), facts.address);
   else
     out += std::string("<p class=\"quiet\">") +
            tr("It works on this computer only. Start the class with --share to let the room in.") + "</p>";
-  return out + "<p>" + std::to_string(here) + " " + trn("student here", "students here", here) +
-         "</p></main></body></html>\n";
+  return out + "</section></main></body></html>\n";
 }
 
 std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
@@ -264,7 +315,9 @@ meter::-webkit-meter-optimum-value,progress::-webkit-progress-value{background:v
 meter::-moz-meter-bar,progress::-moz-progress-bar{background:var(--accent);border-radius:6px}meter.warn::-moz-meter-bar{background:var(--warn)}
 .bars{list-style:none;margin:8px 0 0;padding:0}.bars li{display:grid;grid-template-columns:minmax(8em,1.4fr) minmax(100px,1fr) 2.4em;gap:4px 14px;align-items:center;padding:5px 0}
 .bars small{display:block}.bars meter{width:100%;height:16px}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
-.board main{text-align:center;font-size:24px}.board .big{font-size:clamp(28px,5vw,72px)}.board .qr{width:min(60vh,80vw);margin:16px auto}
+.board main{text-align:center;font-size:24px}.board .big{font-size:clamp(28px,5vw,72px)}.board .qr{width:min(56vh,80vw);margin:16px auto}
+.plot main{text-align:left;max-width:1400px}.plot h1{font-size:clamp(26px,3vw,44px)}.plot .bars li{padding:10px 0;font-size:clamp(20px,2.2vw,32px)}.plot .bars meter{height:30px;border-radius:8px}.plot .curves{max-width:min(100%,110vh)}
+.plot section{display:flex;justify-content:space-between;align-items:center;gap:24px;margin-top:28px;padding-top:12px;border-top:1px solid var(--line);font-size:18px}.plot .big{font-size:clamp(20px,2.4vw,32px)}.plot .qr{width:min(22vh,30vw);margin:0}
 svg{max-width:100%;display:block}.curves{max-width:620px}.grid{stroke:var(--line);fill:none}.axis{font-size:11px;fill:var(--quiet)}.drawn{fill:none;stroke:var(--accent);stroke-width:2;stroke-opacity:.45;stroke-linejoin:round}
 #lost{color:var(--warn);font-weight:600}
 )css";
@@ -275,9 +328,11 @@ std::string teacherScript() {
 (() => {
   const lost = document.getElementById("lost");
   const events = new EventSource("events");
-  events.addEventListener("live", (event) => {
-    lost.hidden = true;
-    for (const [id, html] of Object.entries(JSON.parse(event.data))) {
+  // A button that is replaced while it is pressed gives no click: the page waits for the release.
+  let pressed = false, parts = {};
+  const show = () => {
+    if (pressed) return;
+    for (const [id, html] of Object.entries(parts)) {
       const box = document.getElementById(id);
       if (!box || box.shown === html) continue;
       const focused = box.contains(document.activeElement) ? document.activeElement.id : "";
@@ -285,15 +340,24 @@ std::string teacherScript() {
       box.shown = html;
       if (focused) document.getElementById(focused)?.focus();
     }
+  };
+  events.addEventListener("live", (event) => {
+    lost.hidden = true;
+    parts = JSON.parse(event.data);
+    show();
   });
+  addEventListener("pointerdown", () => { pressed = true; }, true);
+  for (const end of ["pointerup", "pointercancel", "blur"])
+    addEventListener(end, () => { setTimeout(() => { pressed = false; show(); }); }, true);
   events.addEventListener("error", () => { lost.hidden = false; });
   document.addEventListener("click", async (event) => {
     const button = event.target.closest("button[data-do]");
     if (!button || (button.dataset.sure && !confirm(button.dataset.sure))) return;
-    const {do: act, lesson, step} = button.dataset;
+    const {do: act, lesson, ...numbers} = button.dataset;
     const body = {do: act};
     if (lesson !== undefined) body.lesson = lesson;
-    if (step !== undefined) body.step = Number(step);
+    for (const key of ["step", "question", "task"])
+      if (numbers[key] !== undefined) body[key] = Number(numbers[key]);
     try {
       const reply = await fetch("steer", {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
       if (reply.ok && act === "end") window.open("report", "_blank");

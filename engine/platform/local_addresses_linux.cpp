@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <filesystem>
 
 #include "engine/platform/local_addresses.h"
 
@@ -34,24 +35,36 @@ std::string addressOfDefaultRoute() {
 
 }  // namespace
 
-LocalAddresses localAddresses() {
+LocalAddresses addressesForOthers(const std::vector<InterfaceAddress>& interfaces, const std::string& route) {
   LocalAddresses out;
+  for (const InterfaceAddress& one : interfaces) {
+    if (!one.carrier || one.alone) continue;
+    std::vector<std::string>& into = one.bridge && one.ip != route ? out.bridges : out.ip;
+    if (std::find(into.begin(), into.end(), one.ip) == into.end()) into.push_back(one.ip);
+  }
+  if (const auto best = std::find(out.ip.begin(), out.ip.end(), route); best != out.ip.end())
+    std::rotate(out.ip.begin(), best, best + 1);
+  return out;
+}
+
+LocalAddresses localAddresses() {
+  std::vector<InterfaceAddress> interfaces;
   ifaddrs* first = nullptr;
   if (::getifaddrs(&first) == 0) {
     for (const ifaddrs* one = first; one; one = one->ifa_next) {
       if (!one->ifa_addr || one->ifa_addr->sa_family != AF_INET) continue;
-      // Running: with a carrier, which a bridge of virtual machines without one and an unplugged cable lack.
-      if (!(one->ifa_flags & IFF_UP) || !(one->ifa_flags & IFF_RUNNING)) continue;
-      if (one->ifa_flags & (IFF_LOOPBACK | IFF_POINTOPOINT)) continue;
       std::array<char, INET_ADDRSTRLEN> text{};
       const auto* address = reinterpret_cast<const sockaddr_in*>(one->ifa_addr);
       if (!::inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size())) continue;
-      if (std::find(out.ip.begin(), out.ip.end(), text.data()) == out.ip.end()) out.ip.emplace_back(text.data());
+      std::error_code error;
+      interfaces.push_back(
+          {text.data(), (one->ifa_flags & IFF_UP) && (one->ifa_flags & IFF_RUNNING),
+           (one->ifa_flags & (IFF_LOOPBACK | IFF_POINTOPOINT)) != 0,
+           std::filesystem::exists("/sys/class/net/" + std::string(one->ifa_name) + "/bridge", error)});
     }
     ::freeifaddrs(first);
-    if (const auto best = std::find(out.ip.begin(), out.ip.end(), addressOfDefaultRoute()); best != out.ip.end())
-      std::rotate(out.ip.begin(), best, best + 1);
   }
+  LocalAddresses out = addressesForOthers(interfaces, addressOfDefaultRoute());
   std::array<char, HOST_NAME_MAX + 1> name{};
   if (::gethostname(name.data(), name.size() - 1) == 0) out.host = name.data();
   return out;

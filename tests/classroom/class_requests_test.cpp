@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/classroom/class_server.h"
+#include "engine/platform/local_addresses.h"
 #include "engine/results/attempt_file.h"
 #include "tests/classroom/small_class.h"
 #include "tests/results/sample_attempt.h"
@@ -93,6 +94,100 @@ TEST_CASE("the projector's page has the address, its QR code and a number, and n
   const std::string page = site.ask("GET", "/teacher/teachertoken22/").body;
   CHECK(page.find("/abc234/board") != std::string::npos);
   CHECK(page.find("class=\"qr\"") == std::string::npos);
+}
+
+TEST_CASE(
+    "the printed addresses are those that others reach, that of the default route first, and no bridge of containers") {
+  const std::vector<InterfaceAddress> interfaces{
+      {"127.0.0.1", true, true, false},  {"172.17.0.1", true, false, true},   {"10.8.0.2", true, true, false},
+      {"10.0.0.4", false, false, false}, {"192.168.9.1", true, false, false}, {"192.168.1.5", true, false, false}};
+  const LocalAddresses by_radio = addressesForOthers(interfaces, "192.168.1.5");
+  CHECK(by_radio.ip == std::vector<std::string>{"192.168.1.5", "192.168.9.1"});
+  CHECK(by_radio.bridges == std::vector<std::string>{"172.17.0.1"});
+  // A bridge over the network's own cable has the default route.
+  CHECK(addressesForOthers(interfaces, "172.17.0.1").ip ==
+        std::vector<std::string>{"172.17.0.1", "192.168.9.1", "192.168.1.5"});
+  // A private network behind a tunnel has the route: the others keep the system's order.
+  CHECK(addressesForOthers(interfaces, "10.8.0.2").ip == std::vector<std::string>{"192.168.9.1", "192.168.1.5"});
+  CHECK(addressesForOthers({{"127.0.0.1", true, true, false}}, "").ip.empty());
+}
+
+TEST_CASE(
+    "the projector shows one plot when the teacher says so, of three predictions and more, without a name or a typed "
+    "word, and also after a restart") {
+  SmallSite site;
+  const auto board = [&] {
+    const ClassReply reply =
+        site.ask("GET", "/abc234/board", "", [&](ClassRequest& r) { r.now_s = site.now_s += 1.0; });
+    REQUIRE(reply.status == 200);
+    return reply.body;
+  };
+  const auto steer = [&](const std::string& body) {
+    return site.ask("POST", "/teacher/teachertoken22/steer", body).status;
+  };
+  const std::string show = R"({"do":"show","lesson":"bumps","step":0,"question":0})", page = "/teacher/teachertoken22/";
+  std::vector<std::string> tokens;
+  const auto predict = [&](const std::string& name, std::size_t choice) {
+    tokens.push_back(site.join(name)["token"]);
+    site.send(tokens.back(), 0,
+              {headerLine(), eventLine(0.0, StepEntered{"one"}),
+               eventLine(1.0, Answered{"one", "expect", 1, {choice}, "typed-by-" + name, true, InputKind::Mouse}),
+               eventLine(2.0, CurveKept{"one", 0, false, "depth", 0.8, 3.3, {0.0, 1.0}})});
+  };
+  predict("Ada", 0);
+  predict("Bo", 1);
+  CHECK(site.ask("GET", page).body.find("data-do=\"show\"") == std::string::npos);
+  CHECK(steer(show) == 200);
+  CHECK(board().find("What will you feel?") == std::string::npos);  // of two students
+  CHECK(steer(R"({"do":"hide"})") == 200);
+  predict("Cy", 1);
+  CHECK(board().find("What will you feel?") == std::string::npos);
+  // Who has not predicted is counted beside the button, and asked about.
+  const std::string late = site.join("Dee")["token"];
+  site.send(late, 0, {headerLine()});
+  const std::string teacher = site.ask("GET", page).body;
+  CHECK(teacher.find("id=\"show-question-bumps-0-0\"") != std::string::npos);
+  CHECK(teacher.find("1 student here has not predicted yet and would see") != std::string::npos);
+  CHECK(steer(show) == 200);
+  for (int round = 0; round < 2; ++round) {
+    const std::string shown = board();
+    CHECK(shown.find("What will you feel?") != std::string::npos);
+    CHECK(shown.find("What 3 students expect") != std::string::npos);
+    CHECK(shown.find("max=\"3\" value=\"1\"></meter><b>1</b>") != std::string::npos);
+    CHECK(shown.find("max=\"3\" value=\"2\"></meter><b>2</b>") != std::string::npos);
+    for (const char* secret : {"Ada", "Bo<", "Cy", "Dee", "typed-by", "teachertoken22", "<script", "<button"})
+      CHECK_MESSAGE(shown.find(secret) == std::string::npos, secret);
+    CHECK(site.ask("GET", page).body.find("id=\"hide-question-bumps-0-0\"") != std::string::npos);
+    site.start();
+  }
+  // The force curves of a task, in its place.
+  CHECK(steer(R"({"do":"show","lesson":"bumps","step":0,"task":0})") == 200);
+  const std::string curves = board();
+  CHECK(curves.find("Draw the force") != std::string::npos);
+  CHECK(curves.find("class=\"drawn\"") != std::string::npos);
+  CHECK(curves.find("What will you feel?") == std::string::npos);
+  CHECK(steer(R"({"do":"hide"})") == 200);
+  CHECK(board().find("Draw the force") == std::string::npos);
+  // A marked question, a question or a lesson that is not there, and nothing to take off.
+  for (const char* body :
+       {R"({"do":"show","lesson":"bumps","step":1,"question":0})",
+        R"({"do":"show","lesson":"bumps","step":0,"question":1})",
+        R"({"do":"show","lesson":"bumps","step":9,"task":0})", R"({"do":"show","lesson":"bumps","step":0,"task":-1})",
+        R"({"do":"show","lesson":"other","step":0,"question":0})", R"({"do":"show"})", R"({"do":"hide"})"})
+    CHECK_MESSAGE(steer(body) == 400, body);
+  CHECK(site.ask("POST", "/abc234/steer", show).status == 404);
+}
+
+TEST_CASE("the projector's page is made once in a second, however many ask for it") {
+  SmallSite site;
+  const auto board = [&](double now_s) {
+    return site.ask("GET", "/abc234/board", "", [&](ClassRequest& r) { r.now_s = now_s; }).body;
+  };
+  CHECK(board(10.0).find("0 students here") != std::string::npos);
+  site.now_s = 10.0;
+  site.join("Ada");
+  CHECK(board(10.9).find("0 students here") != std::string::npos);
+  CHECK(board(11.0).find("1 student here") != std::string::npos);
 }
 
 TEST_CASE("the teacher's address, right to the last sign, opens nothing from another computer") {

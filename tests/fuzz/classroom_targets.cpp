@@ -105,7 +105,7 @@ std::string line(Choices& choices) {
 }
 
 std::string body(Choices& choices) {
-  switch (choices.pick(8)) {
+  switch (choices.pick(9)) {
     case 0:
       return rawText(choices, 200);
     case 1:
@@ -114,6 +114,12 @@ std::string body(Choices& choices) {
       return Json{{"do", choices.pick(2) ? "hold" : "open"}, {"lesson", "bumps"}, {"step", choices.pick(5)}}.dump();
     case 3:
       return R"({"do":"end"})";
+    case 4: {
+      Json out{{"do", choices.pick(5) ? "show" : "hide"}, {"lesson", choices.pick(9) ? "bumps" : "none"}};
+      out["step"] = choices.pick(5);
+      out[choices.pick(2) ? "question" : "task"] = choices.pick(4);
+      return out.dump();
+    }
     default: {
       Json out{{"token", kTokens[choices.pick(4)]}, {"from", choices.pick(20)}, {"lines", Json::array()}};
       if (choices.pick(6)) out["attempt"] = choices.pick(5) ? "a" : rawText(choices, 12);
