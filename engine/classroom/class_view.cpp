@@ -116,14 +116,17 @@ CurvePlot curvePlot(const LessonAttempts& of, std::size_t s, std::size_t t) {
   return plot;
 }
 
-// Students here whose present attempt is at the lesson and lacks what `has` looks for.
+// Students here whose present attempt is at the lesson and lacks what `has` looks for, and those who have begun nothing.
 template <class Has>
 std::size_t waitingFor(const LessonAttempts& of, const ClassRoom& room, double now_s, const Has& has) {
-  return std::size_t(std::count_if(of.attempts.begin(), of.attempts.end(), [&](const AttemptAt& one) {
+  const auto here = [&](const LiveStudent& student) { return now_s - student.seen_s <= kAwayAfter_s; };
+  std::size_t out = 0;
+  for (const LiveStudent& student : room.students()) out += here(student) && student.attempts.empty();
+  for (const AttemptAt& one : of.attempts) {
     const LiveStudent& student = room.students()[one.student];
-    return now_s - student.seen_s <= kAwayAfter_s && &student.attempts[student.current] == one.attempt &&
-           !has(*one.attempt);
-  }));
+    out += here(student) && &student.attempts[student.current] == one.attempt && !has(*one.attempt);
+  }
+  return out;
 }
 
 void addPredictions(LessonView& view, const LessonAttempts& of, const ClassRoom& room, double now_s) {

@@ -52,7 +52,7 @@ struct PredictionPlot {
   std::vector<std::size_t> counts;   ///< students by choice
   std::vector<std::string> written;  ///< typed ones, without names
   std::size_t students = 0;
-  std::size_t waiting = 0;  ///< students here who work on the lesson and have not predicted
+  std::size_t waiting = 0;  ///< students here who work on the lesson, or on none yet, and have not predicted
 };
 
 /// The force curves that the class drew before feeling them, over each other.

@@ -145,9 +145,10 @@ TEST_CASE(
   // Who has not predicted is counted beside the button, and asked about.
   const std::string late = site.join("Dee")["token"];
   site.send(late, 0, {headerLine()});
+  site.join("Eve");
   const std::string teacher = site.ask("GET", page).body;
   CHECK(teacher.find("id=\"show-question-bumps-0-0\"") != std::string::npos);
-  CHECK(teacher.find("1 student here has not predicted yet and would see") != std::string::npos);
+  CHECK(teacher.find("2 students here have not predicted yet and would see") != std::string::npos);
   CHECK(steer(show) == 200);
   for (int round = 0; round < 2; ++round) {
     const std::string shown = board();
@@ -155,7 +156,7 @@ TEST_CASE(
     CHECK(shown.find("What 3 students expect") != std::string::npos);
     CHECK(shown.find("max=\"3\" value=\"1\"></meter><b>1</b>") != std::string::npos);
     CHECK(shown.find("max=\"3\" value=\"2\"></meter><b>2</b>") != std::string::npos);
-    for (const char* secret : {"Ada", "Bo<", "Cy", "Dee", "typed-by", "teachertoken22", "<script", "<button"})
+    for (const char* secret : {"Ada", "Bo<", "Cy", "Dee", "Eve", "typed-by", "teachertoken22", "<script", "<button"})
       CHECK_MESSAGE(shown.find(secret) == std::string::npos, secret);
     CHECK(site.ask("GET", page).body.find("id=\"hide-question-bumps-0-0\"") != std::string::npos);
     site.start();

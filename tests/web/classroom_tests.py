@@ -1,4 +1,4 @@
-"""A live class: `moltact class` on a free port of the loopback, three students in browsers of their own, and the teacher's page.
+"""A live class: `moltact class` on a free port of the loopback, three students in browsers of their own, the teacher's page and the projector's.
 One student loses the server, which is killed and started again, and catches up."""
 import json
 import pathlib
@@ -26,6 +26,9 @@ ask: name
 ```scene
 molecule: argon-pair
 ```
+### Prediction: How does an atom feel?
+- [ ] Hard from the first touch → It gives way.
+- [x] Soft first, then harder → Yes.
 ```touch
 reach: all
 say: Touch an atom.
@@ -94,7 +97,7 @@ class Class(PageTest):
             time.sleep(0.1)
 
     def answer(self, browser, words):
-        browser.click(next(n for n, w in browser.widgets().items() if n.startswith("question/0/") and w[4] == words))
+        browser.click(next(n for n, w in browser.widgets().items() if n.startswith("question/") and w[4] == words))
 
     def test_three_students_join_one_loses_the_server_and_catches_up_and_the_teacher_sees_holds_and_ends(self):
         ada, bo, animal = self.join("<b>Ada</b>"), self.join("Bo"), self.join("")
@@ -105,6 +108,24 @@ class Class(PageTest):
         self.assertIn("<b>Ada</b>", names)
         self.assertIn("Bo", names)
         self.assertTrue(all(names), names)
+
+        # Three predictions, of which the projector shows one plot without names when the teacher says so.
+        board = self.browser()
+        board.go(self.student + "board")
+        board.until("document.querySelector('.big')?.textContent === " + json.dumps(self.student))
+        for browser, words in ((ada, "Soft first, then harder"), (bo, "Hard from the first touch"), (animal, "Soft first, then harder")):
+            self.answer(browser, words)
+        teacher.until("document.querySelector('#show-question-hands-0-0')", 30)
+        self.assertNotIn("How does an atom feel", board.evaluate("document.body.textContent"))
+        teacher.evaluate("document.querySelector('#show-question-hands-0-0').click()")
+        board.until("document.querySelectorAll('.bars li').length === 2", 30)
+        self.assertEqual(board.evaluate("[...document.querySelectorAll('.bars b')].map((b) => b.textContent).join()"), "1,2")
+        for name in names:
+            self.assertNotIn(name, board.evaluate("document.body.textContent"))
+        self.picture(board, "class-board")
+        teacher.until("document.querySelector('#hide-question-hands-0-0')", 30)
+        teacher.evaluate("document.querySelector('#hide-question-hands-0-0').click()")
+        board.until("!document.querySelector('.bars')", 30)
 
         # Step, task and a misconception as they happen.
         for browser in (ada, bo):
@@ -146,10 +167,9 @@ class Class(PageTest):
         teacher.evaluate("globalThis.confirm = () => true; globalThis.open = () => null; document.querySelector('[data-do=end]').click()")
         for browser in (ada, animal):
             browser.until("document.querySelector('#class-said').textContent.includes('All of your work has arrived')", 30)
-        report = self.browser()
-        report.go(self.teacher + "report")
-        report.until("document.querySelector('main')")
-        text = report.evaluate("document.querySelector('main').textContent")
+        board.go(self.teacher + "report")
+        board.until("document.querySelector('main')")
+        text = board.evaluate("document.querySelector('main').textContent")
         for name in ("<b>Ada</b>", "Bo", "counts what hides as one"):
             self.assertIn(name, text)
         self.server.send_signal(signal.SIGINT)
