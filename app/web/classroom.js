@@ -12,7 +12,7 @@ const moltactClassroom = (() => {
     en: {
       "welcome": "Join the class",
       "your name": "Your name",
-      "what is seen": "Your teacher sees this name, and what you do in the lesson. Both are kept on your teacher’s computer and in this browser.",
+      "what is seen": "Your teacher sees this name and what you do in the lesson, and can show predictions to the class without names. Name and work are kept on your teacher’s computer and in this browser.",
       "join": "Join",
       "animal": "Take an animal’s name",
       "go on as": "Go on as {0}",
@@ -35,7 +35,7 @@ const moltactClassroom = (() => {
     de: {
       "welcome": "An der Klasse teilnehmen",
       "your name": "Dein Name",
-      "what is seen": "Deine Lehrkraft sieht diesen Namen und was du in der Lektion tust. Beides bleibt auf dem Computer deiner Lehrkraft und in diesem Browser.",
+      "what is seen": "Deine Lehrkraft sieht diesen Namen und was du in der Lektion tust, und kann der Klasse Vorhersagen ohne Namen zeigen. Name und Arbeit bleiben auf dem Computer deiner Lehrkraft und in diesem Browser.",
       "join": "Teilnehmen",
       "animal": "Einen Tiernamen nehmen",
       "go on as": "Als {0} weitermachen",
