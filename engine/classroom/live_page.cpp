@@ -314,7 +314,7 @@ meter::-webkit-meter-bar,progress::-webkit-progress-bar{background:var(--soft);b
 meter::-webkit-meter-optimum-value,progress::-webkit-progress-value{background:var(--accent);border-radius:6px}meter.warn::-webkit-meter-optimum-value{background:var(--warn)}
 meter::-moz-meter-bar,progress::-moz-progress-bar{background:var(--accent);border-radius:6px}meter.warn::-moz-meter-bar{background:var(--warn)}
 .bars{list-style:none;margin:8px 0 0;padding:0}.bars li{display:grid;grid-template-columns:minmax(8em,1.4fr) minmax(100px,1fr) 2.4em;gap:4px 14px;align-items:center;padding:5px 0}
-.bars small{display:block}.bars meter{width:100%;height:16px}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
+.bars small{display:block}.bars meter{width:100%;height:16px}.bars meter::-webkit-meter-bar{grid-row:1/-1;height:100%}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
 .board main{text-align:center;font-size:24px}.board .big{font-size:clamp(28px,5vw,72px)}.board .qr{width:min(56vh,80vw);margin:16px auto}
 .plot main{text-align:left;max-width:1400px}.plot h1{font-size:clamp(26px,3vw,44px)}.plot .bars li{padding:10px 0;font-size:clamp(20px,2.2vw,32px)}.plot .bars meter{height:30px;border-radius:8px}.plot .curves{max-width:min(100%,110vh)}
 .plot section{display:flex;justify-content:space-between;align-items:center;gap:24px;margin-top:28px;padding-top:12px;border-top:1px solid var(--line);font-size:18px}.plot .big{font-size:clamp(20px,2.4vw,32px)}.plot .qr{width:min(22vh,30vw);margin:0}
