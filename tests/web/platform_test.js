@@ -1,9 +1,9 @@
-// node tests/web/platform_test.js: the page's side of a learning platform (app/web/platform.js) against a strict SCORM
+// node tests/web/platform_test.js: the page's side of a learning platform (app/web/platform.js, cmi5.js) against a strict SCORM
 // runtime and a record store, both written here after the standards.
 "use strict";
-const assert = require("node:assert"), fs = require("node:fs"), path = require("node:path"), vm = require("node:vm");
+const assert = require("node:assert"), vm = require("node:vm");
 const runtime = require("./scorm_runtime.js");
-const source = fs.readFileSync(path.join(__dirname, "../../app/web/platform.js"), "utf8");
+const source = require("./platform_source.js");
 
 class Storage {
   constructor() { this.all = new Map(); }
@@ -305,6 +305,8 @@ function recordStore() {
     must(categories.includes(kCmi5 + "moveon") === ["completed", "passed", "failed"].includes(verb), "moveon of " + verb);
     if (defined) must(one.object.id === "https://lms/au/1", "object of " + verb);
     if (["completed", "passed", "failed", "terminated"].includes(verb)) must(/^PT[\d.]+S$/.test(one.result.duration), "duration of " + verb);
+    if (["passed", "failed"].includes(verb))
+      must(one.context.extensions["https://w3id.org/xapi/cmi5/context/extensions/masteryscore"] === store.launch.masteryScore, "masteryscore of " + verb);
     if (verb === "completed") must(one.result.completion === true && one.result.score === undefined && one.result.success === undefined, "result of completed");
     const name = (s) => s.verb.id.split("/").pop();
     const before = store.statements.filter((s) => s.of === store.session).map(name);
@@ -421,6 +423,25 @@ async function cmi5() {
   assert.deepStrictEqual(verbs().slice(told), ["initialized", "answered"]);
   assert.deepStrictEqual(lrs.states.get("moltact").scores, {"": 1, goal_1: 1});
   assert.deepStrictEqual(lrs.faults, []);
+
+  // The way back to the platform, if it names one on the web: what is done goes there first, and a connection that is lost
+  // does not hold the student.
+  for (const [address, wanted] of [[undefined, null], ["https://lms/course/4?a=b", "https://lms/course/4?a=b"], ["javascript:alert(1)", null],
+                                   ["/course", null], ["file:///etc/passwd", null], ["http://lms/", "http://lms/"]]) {
+    const back = recordStore(), gone = [];
+    back.launch.returnURL = address;
+    const d = await launched(back);
+    assert.strictEqual(d.link.return_url, wanted);
+    if (!wanted) continue;
+    d.program.record = record(4, {done: 1, interactions: [task]});
+    const window = {location: {assign: (to) => gone.push([to, back.statements.length])}};
+    await d.reporter.leave(window);
+    back.lost = true;
+    d.program.record = record(5, {done: 1, interactions: [task, wrong]});
+    await d.reporter.leave(window);
+    assert.deepStrictEqual(gone, [[wanted, 3], [wanted, 3]]);  // initialized, answered, progressed
+    assert.deepStrictEqual(back.faults, []);
+  }
 
   // A mark to pass, set by the platform, is judged when the lesson is finished.
   const strict = recordStore();
