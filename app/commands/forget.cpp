@@ -88,9 +88,10 @@ void run(const ForgetArguments& arguments) {
   for (const Problem& p : faults) err() << "moltact: " << p.text() << '\n';
   listRest(traces);
   if (!faults.empty()) throw CommandError{tr("not everything was deleted; see above, and run the command again")};
-  out() << trf("All of this is deleted. Copies elsewhere, on other computers, in backups or on a learning platform, are "
-               "not. Write the reports anew with moltact report.")
-        << '\n';
+  out()
+      << trf("All of this is deleted. Copies elsewhere, on other computers, in backups or on a learning platform, are "
+             "not. Write the reports anew with moltact report.")
+      << '\n';
 }
 
 }  // namespace
@@ -101,8 +102,9 @@ void addForget(CLI::App& app) {
       app.add_subcommand("forget", "Delete what is kept about one student: attempts, recordings, reports");
   command->add_option("name", arguments->student, "The student's name, exactly as in the attempts")->required();
   command
-      ->add_option("results", arguments->results,
-                   "Files or folders to search, including subfolders (default: the attempts and classes on this computer)")
+      ->add_option(
+          "results", arguments->results,
+          "Files or folders to search, including subfolders (default: the attempts and classes on this computer)")
       ->type_name(kFilesOrFoldersType);
   command->add_flag("--yes", arguments->yes, "Delete; without it the files are only listed");
   command->callback([arguments] { run(*arguments); });

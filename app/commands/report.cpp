@@ -55,7 +55,8 @@ void run(const Arguments& arguments) {
   if (!arguments.html.empty()) {
     const std::string now = utcText(std::chrono::system_clock::now());
     write(arguments.html,
-          classPage(summary, names.anonymous ? withoutFileNames(reading.passed_over) : reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
+          classPage(summary, names.anonymous ? withoutFileNames(reading.passed_over) : reading.passed_over,
+                    now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
   out() << summaryText(summary) << '\n';
 }
@@ -86,15 +87,16 @@ void addReport(CLI::App& app) {
       command->add_flag("--anonymous", arguments->anonymous,
                         "Replace names by S01, S02 ..., leave out typed texts but right answers and numbers, and give "
                         "the day only");
-  CLI::Option* code_word = command
-      ->add_option("--code-word", arguments->code_word,
-                   "The same, with codes computed from the name and WORD, the same in every report with that WORD")
-      ->type_name("WORD");
+  CLI::Option* code_word =
+      command
+          ->add_option("--code-word", arguments->code_word,
+                       "The same, with codes computed from the name and WORD, the same in every report with that WORD")
+          ->type_name("WORD");
   command->add_flag("--typed-texts", arguments->typed_texts,
                     "With --anonymous or --code-word: keep typed texts, with the names of the class replaced");
   command->callback([arguments, anonymous, code_word] {
     if (arguments->typed_texts && anonymous->count() == 0 && code_word->count() == 0)
-      throw CLI::RequiredError("--typed-texts requires --anonymous or --code-word, which it");
+      throw CLI::ValidationError("--typed-texts", "give it with --anonymous or --code-word");
     if (arguments->csv.empty() && arguments->html.empty() && arguments->gradebook.empty())
       throw CLI::RequiredError("--csv, --html or --gradebook");
     run(*arguments);

@@ -43,7 +43,8 @@ std::vector<fs::path> filesIn(const fs::path& named, std::vector<Problem>& passe
         std::find(std::begin(kEndings), std::end(kEndings), endingOf(it->path())) != std::end(kEndings))
       out.push_back(it->path());
   }
-  if (error) passed_over.push_back({named.string(), 0, 0, tr("the folder cannot be read"), tr("check its permissions")});
+  if (error)
+    passed_over.push_back({named.string(), 0, 0, tr("the folder cannot be read"), tr("check its permissions")});
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -71,6 +72,23 @@ bool isReport(const fs::path& file, std::string_view text) {
   const std::string_view head = text.substr(kMark.size(), text.find("\r\n") - kMark.size());
   const std::string here = trc("column", "student") + std::string(",");
   return head.starts_with("student,") || head.starts_with(here);
+}
+
+// The text between the tags of a page, without its style: a word of CSS is nobody's name.
+std::string textOfPage(std::string_view page) {
+  std::string out;
+  for (std::size_t at = 0; at < page.size();) {
+    if (page[at] != '<') {
+      out += page[at++];
+      continue;
+    }
+    const bool style = page.substr(at).starts_with("<style");
+    const std::size_t end = page.find(style ? "</style>" : ">", at);
+    if (end == std::string_view::npos) break;
+    at = end + (style ? std::string_view("</style>").size() : 1);
+    out += ' ';
+  }
+  return out;
 }
 
 std::string folded(std::string_view name) {
@@ -121,7 +139,7 @@ class Search {
     const Expected<std::string> read = readFile(file, kLargestText, tr("search this file yourself"));
     if (!read) return out_.passed_over.push_back(read.problem());
     const bool page = endingOf(file) == ".html";
-    if (!mentions(*read, page ? escaped(out_.student) : out_.student)) return;
+    if (!(page ? mentions(textOfPage(*read), escaped(out_.student)) : mentions(*read, out_.student))) return;
     (isReport(file, *read) ? out_.reports : out_.others).push_back(file);
   }
 

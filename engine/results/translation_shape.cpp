@@ -37,13 +37,14 @@ std::optional<Difference> inStep(std::size_t number, const Step& step, const Ste
                                                      "marked, free and prediction",
                                                      k + 1, number, lesson)};
     if (q.choices.size() != other.choices.size())
-      return Difference{step.questions[k].place,
-                        trf("question {0} of step {1} has {2}, that of {3} has {4}", k + 1, number,
-                            trnf("{0} choice", "{0} choices", q.choices.size(), q.choices.size()), lesson,
-                            other.choices.size())};
+      return Difference{
+          step.questions[k].place,
+          trf("question {0} of step {1} has {2}, that of {3} has {4}", k + 1, number,
+              trnf("{0} choice", "{0} choices", q.choices.size(), q.choices.size()), lesson, other.choices.size())};
     if (q.right != other.right)
-      return Difference{step.questions[k].place,
-                        trf("question {0} of step {1} has other right choices than that of {2}", k + 1, number, lesson)};
+      return Difference{
+          step.questions[k].place,
+          trf("question {0} of step {1} has other right choices than that of {2}", k + 1, number, lesson)};
   }
   if (is.questions.size() != wanted.questions.size())
     return Difference{
@@ -64,10 +65,10 @@ std::optional<Problem> translationFault(const Lesson& lesson, const std::string&
   for (std::size_t k = 0; k < both && !found; ++k)
     found = inStep(k + 1, translation.steps[k], is.steps[k], wanted.steps[k], lesson_file);
   if (!found && is.steps.size() != wanted.steps.size())
-    found = Difference{is.steps.size() > both ? translation.steps[both].place : Place{},
-                       trf("it has {0}, but {1} has {2}",
-                           trnf("{0} step", "{0} steps", is.steps.size(), is.steps.size()), lesson_file,
-                           wanted.steps.size())};
+    found =
+        Difference{is.steps.size() > both ? translation.steps[both].place : Place{},
+                   trf("it has {0}, but {1} has {2}", trnf("{0} step", "{0} steps", is.steps.size(), is.steps.size()),
+                       lesson_file, wanted.steps.size())};
   if (!found) return std::nullopt;
   return Problem{translation_file, found->place.line, found->place.column, std::move(found->message),
                  tr("give the translation the same steps, tasks, questions and choices in the same order: the learning "

@@ -37,7 +37,8 @@ struct Home : CommandPlace {
 
 }  // namespace
 
-TEST_CASE("forget lists 2 attempts and deletes nothing; with --yes it deletes them, and a second time there is nothing") {
+TEST_CASE(
+    "forget lists 2 attempts and deletes nothing; with --yes it deletes them, and a second time there is nothing") {
   const Home home;
   const Run listed = home.forget("Ada");
   CHECK(listed.status == 0);

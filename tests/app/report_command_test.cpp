@@ -52,7 +52,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "without names the page does not name a student whose name is that of a folder with a damaged file, and --typed-texts "
+    "without names the page does not name a student whose name is that of a folder with a damaged file, and "
+    "--typed-texts "
     "alone is refused") {
   const ScratchFolder scratch;
   fs::create_directories(scratch.path / "results" / "Visible");

@@ -20,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // An attempt of `student`, in which `guesser` made a prediction and the last answer is `written`.
-std::string fileOf(const std::string& student, const std::string& guesser = "Bo", const std::string& written = "a bump") {
+std::string fileOf(const std::string& student, const std::string& guesser = "Bo",
+                   const std::string& written = "a bump") {
   AttemptHeader header = sampleHeader();
   header.student = student;
   std::string out = lineOf(header);
@@ -99,6 +100,7 @@ TEST_CASE(
   CHECK(found.nameless == 1);
   CHECK(found.passed_over.empty());
   CHECK(school.traces("Nobody At All").empty());
+  CHECK(school.traces("grid").reports.empty());  // a word of the page's style
 }
 
 TEST_CASE("forgetting deletes these files and one line, keeps every other byte, and finds nothing afterwards") {
@@ -154,15 +156,15 @@ TEST_CASE(
     "without names, table and page have the day of 1 attempt but not its hour, no word of a typed text, and with typed "
     "texts the class's names replaced in them; right answers and numbers stay") {
   const ScratchFolder scratch;
-  writeFile(scratch.path / "a.jsonl", fileOf("Visible Name", "Bo", "Bo told me: Visible, a bump"));
-  writeFile(scratch.path / "b.jsonl", fileOf("Bo", "Visible Name", "3.5 Å"));
+  writeFile(scratch.path / "a.jsonl", fileOf("Quintus Name", "Bo", "Bo told me: Quintus, a bump"));
+  writeFile(scratch.path / "b.jsonl", fileOf("Bo", "Quintus Name", "3.5 Å"));
   const std::array<fs::path, 1> all{scratch.path};
   const ClassSummary without = readClass(all, {.anonymous = true}).summary,
                      texts = readClass(all, {.anonymous = true, .typed_texts = true}).summary,
                      words = readClass(all, {.typed_texts = true, .code_word = "w"}).summary;
   for (const ClassSummary* summary : {&without, &texts, &words})
     for (const std::string& text : {classCsv(*summary), classPage(*summary, {}, "today")}) {
-      CHECK_FALSE(mentions(text, "Visible"));
+      CHECK_FALSE(mentions(text, "Quintus"));
       CHECK_FALSE(mentions(text, "Bo"));
       CHECK(text.find("10:58") == std::string::npos);
       CHECK(text.find("3.5 Å") != std::string::npos);
@@ -173,7 +175,7 @@ TEST_CASE(
   CHECK(table.find("(6 words left out)") != std::string::npos);
   CHECK(classCsv(texts).find("S02 told me: S01, a bump") != std::string::npos);
   // The same file with names says all of it.
-  CHECK(classCsv(readClass(all).summary).find("Bo told me: Visible, a bump") != std::string::npos);
+  CHECK(classCsv(readClass(all).summary).find("Bo told me: Quintus, a bump") != std::string::npos);
 }
 
 }  // namespace moltact

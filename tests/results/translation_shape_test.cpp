@@ -41,9 +41,10 @@ TEST_CASE("a translation with other texts fits; each of 8 changes of shape is na
     std::string message;
   };
   for (const Case& c : {Case{kOne, 0, "it has 1 step, but l.md has 2"},
-                        {kOne + kTwo + "## Three\nText.\n", 27, "it has 3 steps, but l.md has 2"},
-                        {kOne + with(kTwo, "## Two", "## Aside: Two"), 20, "step 2 is no part of the core, but that of "
-                                                                          "l.md is"},
+                        {kOne + kTwo + "## Three\nText.\n", 26, "it has 3 steps, but l.md has 2"},
+                        {kOne + with(kTwo, "## Two", "## Aside: Two"), 20,
+                         "step 2 is no part of the core, but that of "
+                         "l.md is"},
                         {kOne + "## Two\nText.\n", 20, "step 2 has 0 tasks, that of l.md has 1"},
                         {kOne + with(kTwo, "press: anywhere\nuntil: 0.8 N", "reach: all"), 21,
                          "task 1 of step 2 is 'reach', that of l.md is 'press'"},
