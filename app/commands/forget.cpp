@@ -8,7 +8,6 @@
 #include "app/commands/value_types.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
-#include "engine/platform/folders.h"
 #include "engine/platform/terminal.h"
 #include "engine/results/attempt_file.h"
 #include "engine/results/forget_student.h"
@@ -26,15 +25,11 @@ struct ForgetArguments {
 
 std::vector<fs::path> foldersOf(const ForgetArguments& arguments) {
   if (!arguments.results.empty()) return {arguments.results.begin(), arguments.results.end()};
-  // What this computer keeps: its own attempts, and the classes that it served.
-  std::vector<fs::path> out;
   std::error_code error;
-  const fs::path data = userDataFolder();
-  if (!data.empty())
-    for (const fs::path& folder : {attemptsFolder(), data / "classes"})
-      if (fs::is_directory(folder, error)) out.push_back(folder);
-  if (out.empty()) throw CommandError{tr("there are no results on this computer; name the files or folders to search")};
-  return out;
+  const fs::path own = attemptsFolder();
+  if (own.empty() || !fs::is_directory(own, error))
+    throw CommandError{tr("there are no results on this computer; name the files or folders to search")};
+  return {own};
 }
 
 void list(const std::string& title, const std::vector<fs::path>& files) {
@@ -88,10 +83,9 @@ void run(const ForgetArguments& arguments) {
   for (const Problem& p : faults) err() << "moltact: " << p.text() << '\n';
   listRest(traces);
   if (!faults.empty()) throw CommandError{tr("not everything was deleted; see above, and run the command again")};
-  out()
-      << trf("All of this is deleted. Copies elsewhere, on other computers, in backups or on a learning platform, are "
-             "not. Write the reports anew with moltact report.")
-      << '\n';
+  out() << tr("All of this is deleted. Copies elsewhere, on other computers, in backups or on a learning platform, are "
+              "not. Write the reports anew with moltact report.")
+        << '\n';
 }
 
 }  // namespace
@@ -102,9 +96,8 @@ void addForget(CLI::App& app) {
       app.add_subcommand("forget", "Delete what is kept about one student: attempts, recordings, reports");
   command->add_option("name", arguments->student, "The student's name, exactly as in the attempts")->required();
   command
-      ->add_option(
-          "results", arguments->results,
-          "Files or folders to search, including subfolders (default: the attempts and classes on this computer)")
+      ->add_option("results", arguments->results,
+                   "Files or folders to search, including subfolders (default: the attempts on this computer)")
       ->type_name(kFilesOrFoldersType);
   command->add_flag("--yes", arguments->yes, "Delete; without it the files are only listed");
   command->callback([arguments] { run(*arguments); });

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <map>
 #include <set>
+#include <string>
 
 #include "engine/platform/append_file.h"
 #include "engine/results/anonymous_text.h"
@@ -144,7 +146,7 @@ TEST_CASE("a name is covered as a whole and by its words, in either case, but no
   CHECK(cover.covered("I asked Zoë. Zoëlle did not") == "I asked S02. Zoëlle did not");
   CHECK(cover.covered("A or B, 9b-02 said; 19b-025") == "S03 or B, S04 said; 19b-025");
   CHECK(cover.covered("").empty());
-  CHECK(NameCover({{"", "S01"}}).covered("nothing") == "nothing");
+  CHECK(NameCover(std::map<std::string, std::string>{{"", "S01"}}).covered("nothing") == "nothing");
   CHECK(mentions("by ada l.", "Ada L"));
   CHECK_FALSE(mentions("by Ada Li", "Ada L"));
   CHECK_FALSE(mentions("text", ""));
