@@ -17,6 +17,7 @@
   X(Modes)                  \
   X(Report)                 \
   X(Forget)                 \
+  X(Class)                  \
   X(Bench)                  \
   X(Devices)                \
   X(Device)                 \
