@@ -357,7 +357,7 @@ class Platform(PageTest):
             browser.click("lesson/next")
             browser.wait_for("lesson/step", "The end")
             browser.click("lesson/next")
-            browser.wait_for("lesson/end/platform", "Back to the learning platform")
+            browser.wait_for("lesson/end/platform", "Back to the platform")
             self.picture(browser, "platform-back")
             browser.click("lesson/end/platform")
             browser.until("document.title === 'The course'")

@@ -345,7 +345,7 @@ void drawClosingFoot(Application& app) {
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w)) app.lesson.back();
   ImGui::SameLine();
   if (const auto leave = platformReturn()) {
-    if (button("lesson/end/platform", elided(tr("Back to the learning platform"), next_w - look().px(28)).c_str(),
+    if (button("lesson/end/platform", elided(tr("Back to the platform"), next_w - look().px(28)).c_str(),
                ButtonLook::Primary, next_w))
       leave();
   } else if (const LessonCard* next = app.extensions().lesson_list.after(app.lesson.file())) {
