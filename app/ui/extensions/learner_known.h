@@ -1,5 +1,5 @@
-// The learning platform around the page: whether it knows who works, so that no lesson asks for a name, and the way back to
-// it. Set once by a page in a platform, before it opens its lesson. Window's thread.
+// Whether a learning platform knows who works, so that no lesson asks for a name. Set once by a page in a platform, before
+// it opens its lesson. Window's thread.
 #pragma once
 
 namespace moltact {
@@ -9,11 +9,5 @@ inline bool& learnerKnownFlag() {
   return known;
 }
 inline bool learnerKnown() { return learnerKnownFlag(); }
-
-/// Leaves the program for the page of the platform that launched it; null if there is none, or it names no such page.
-inline void (*&platformReturn())() {
-  static void (*leave)() = nullptr;
-  return leave;
-}
 
 }  // namespace moltact
