@@ -221,11 +221,8 @@ void run(const CheckArguments& arguments) {
       if (c.minutes)
         document["minutes"].push_back({{"file", c.file}, {"core", c.minutes->core}, {"all", c.minutes->all}});
       for (const Problem& p : c.notes)
-        document["notes"].push_back({{"file", p.file},
-                                     {"line", p.line},
-                                     {"column", p.column},
-                                     {"message", p.message},
-                                     {"remedy", p.remedy}});
+        document["notes"].push_back(
+            {{"file", p.file}, {"line", p.line}, {"column", p.column}, {"message", p.message}, {"remedy", p.remedy}});
     }
     printDocument(document);
   } else {

@@ -29,6 +29,8 @@ std::vector<PlanRow> classPlan(const Lesson& lesson) {
   return rows;
 }
 
-int minutesOf(const std::vector<PlanRow>& plan) { return plan.empty() ? 0 : plan.back().from_min + plan.back().minutes; }
+int minutesOf(const std::vector<PlanRow>& plan) {
+  return plan.empty() ? 0 : plan.back().from_min + plan.back().minutes;
+}
 
 }  // namespace moltact

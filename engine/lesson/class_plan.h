@@ -17,7 +17,7 @@ inline constexpr double kClassFactor = 1.5;
 struct PlanRow {
   enum class Kind { Opening, Step, Talk, Ticket };
   Kind kind = Kind::Opening;
-  std::size_t step = 0;         ///< index of the step, for Kind::Step
+  std::size_t step = 0;           ///< index of the step, for Kind::Step
   int from_min = 0, minutes = 0;  ///< whole minutes; at least 1 long
 };
 

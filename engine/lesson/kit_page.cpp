@@ -181,8 +181,8 @@ void teachersPage(std::string& out, const Lesson& lesson, const TeachersKit& kit
   std::string molecules;
   for (const std::string& m : lesson.molecules) molecules += (molecules.empty() ? "" : ", ") + escaped(m);
   const ShownMinutes minutes = shownMinutes(lesson);
-  out += trf("One student alone needs about {0} minutes for the core, with all steps {1}. Molecules: {2}.", minutes.core,
-             minutes.all, molecules) +
+  out += trf("One student alone needs about {0} minutes for the core, with all steps {1}. Molecules: {2}.",
+             minutes.core, minutes.all, molecules) +
          "</p><div class=\"pair\">";
   if (!lesson.goals.empty()) {
     out += std::string("<div><h2>") + tr("Goals") + "</h2><ul>";
@@ -221,8 +221,7 @@ void teachersPage(std::string& out, const Lesson& lesson, const TeachersKit& kit
 
 std::string kitPage(const Lesson& lesson, const TeachersKit& kit, KitFor whom) {
   const std::string kind = whom == KitFor::Teacher ? tr("Teacher's kit") : tr("Worksheet");
-  std::string out = "<!DOCTYPE html>\n<html lang=\"" +
-                    escaped(lesson.language.empty() ? language() : lesson.language) +
+  std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(lesson.language.empty() ? language() : lesson.language) +
                     "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
                     "initial-scale=1\"><meta name=\"generator\" content=\"Moltact\"><title>" +
                     escaped(lesson.title) + " – " + kind + "</title><style>" + std::string(kitStyle()) +

@@ -54,15 +54,17 @@ void prediction(std::string& out, const Question& question, const std::string& n
 // What to write down of a task that gives a result; empty if it gives none.
 std::string resultLine(const TaskSpec& task) {
   constexpr const char* kBlank = "<i class=\"blank\"></i>";
+  const std::string with_length = kBlank + std::string(" ") + std::string(unitText(Dimension::Length));
   if (task.kind == "same") {
     const bool told = task.values["asked"].text != "before" && task.values["tell"].text != "no";
     return told ? trf("In the dark: {0} of {1} right", kBlank, int(task.values["trials"].number))
                 : std::string(tr("In the dark: how sure was I?")) + " <span class=\"box\"></span> " + tr("sure") +
                       " <span class=\"box\"></span> " + tr("unsure");
   }
-  if (task.kind == "order" || task.kind == "rank") return trf("My order in the dark: {0}", "<i class=\"blank long\"></i>");
-  if (task.kind == "fit") return trf("The largest probe that got there: {0} Å", kBlank);
-  if (task.kind == "measure") return trf("Measured: {0} Å", kBlank);
+  if (task.kind == "order" || task.kind == "rank")
+    return trf("My order in the dark: {0}", "<i class=\"blank long\"></i>");
+  if (task.kind == "fit") return trf("The largest probe that got there: {0}", with_length);
+  if (task.kind == "measure") return trf("Measured: {0}", with_length);
   if (task.kind == "find") return trf("Found in the dark after {0} tries", kBlank);
   if (task.kind == "predict")
     return std::string("<span class=\"axes\"><span>") + tr("force") + "</span><span>" + tr("way of the hand") +
@@ -179,7 +181,8 @@ void exitTicket(std::string& out, const Lesson& lesson, const TeachersKit& kit) 
                        escaped(lesson.title) + "</h1>" + nameLine();
   for (std::size_t k = 0; k < kit.exit_ticket.size(); ++k) {
     const Question& q = kit.exit_ticket[k];
-    ticket += "<div class=\"ask\"><p><b>" + std::to_string(k + 1) + "</b> " + html(q.title) + "</p><ul class=\"boxes\">";
+    ticket +=
+        "<div class=\"ask\"><p><b>" + std::to_string(k + 1) + "</b> " + html(q.title) + "</p><ul class=\"boxes\">";
     for (std::size_t c = 0; c < q.choices.size(); ++c)
       ticket += "<li><span class=\"letter\">" + letter(c) + "</span> " + html(q.choices[c].text) + "</li>";
     ticket += "</ul></div>";

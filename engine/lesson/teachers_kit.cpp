@@ -99,7 +99,7 @@ class KitWalk {
     } else {
       reading_.error(block.place, tr("this text has no place in a teacher's kit"),
                      section_ == KitSection::ExitTicket ? tr("write '### Question: …', and below it choices '- [ ] …'")
-                                                     : tr("write it as a list, lines that start with '- '"));
+                                                        : tr("write it as a list, lines that start with '- '"));
     }
   }
 
@@ -146,7 +146,8 @@ class KitWalk {
 };
 
 bool hasWebAddress(const RichText& text) {
-  return std::any_of(text.begin(), text.end(), [](const TextRun& run) { return linkScheme(run.link).starts_with("http"); });
+  return std::any_of(text.begin(), text.end(),
+                     [](const TextRun& run) { return linkScheme(run.link).starts_with("http"); });
 }
 
 }  // namespace
@@ -223,8 +224,9 @@ std::vector<Problem> kitLacks(const Lesson& lesson, const TeachersKit& kit) {
       lacks(prompt.place, tr("this question has no expected answer"), tr("write it in *stars* behind the question"));
   }
   if (kit.exit_ticket.size() != kExitQuestions)
-    lacks({}, trnf("the exit ticket has {0} question", "the exit ticket has {0} questions", kit.exit_ticket.size(),
-                   kit.exit_ticket.size()),
+    lacks({},
+          trnf("the exit ticket has {0} question", "the exit ticket has {0} questions", kit.exit_ticket.size(),
+               kit.exit_ticket.size()),
           tr("write three below '## Exit ticket'"));
   for (const Question& question : kit.exit_ticket) {
     if (question.choices.size() < 2 || question.rightChoices() != 1)

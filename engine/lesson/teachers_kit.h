@@ -16,8 +16,8 @@ namespace moltact {
 
 /// A question for the class at a step.
 struct KitPrompt {
-  std::string step;            ///< id of the step; empty: none was named
-  RichText question, answer;   ///< `answer` may be empty
+  std::string step;           ///< id of the step; empty: none was named
+  RichText question, answer;  ///< `answer` may be empty
   Place place;
 };
 
@@ -26,9 +26,9 @@ struct TeachersKit {
   bool present = false;        ///< the file exists
   std::vector<RichText> prior_knowledge, touch_shows, limits;
   std::vector<KitPrompt> prompts;
-  std::vector<Question> exit_ticket;   ///< the feedback of a wrong choice names the misconception behind it
-  std::vector<RichText> curriculum;    ///< codes, each with the source that it was checked against
-  std::vector<Problem> problems;       ///< text that could not be read, in the order of the file
+  std::vector<Question> exit_ticket;  ///< the feedback of a wrong choice names the misconception behind it
+  std::vector<RichText> curriculum;   ///< codes, each with the source that it was checked against
+  std::vector<Problem> problems;      ///< text that could not be read, in the order of the file
 };
 
 inline constexpr std::size_t kExitQuestions = 3;

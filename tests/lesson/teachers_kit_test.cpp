@@ -91,7 +91,8 @@ std::vector<std::string> keptBack(const Lesson& lesson) {
 constexpr std::string_view kGoodKit =
     "# Teacher's kit\n## Prior knowledge\n- Atoms.\n## What touch shows\n- Depth.\n## Limits of the model\n- Rigid.\n"
     "## What to ask\n- [One](../l.md#one): Why *so?* \n- [One](../l.md#one): Why? *Because of it.*\n"
-    "## Exit ticket\n### Question: A *b*?\n- [x] yes\n- [ ] no → no idea\n### Question: B?\n- [ ] no → none\n- [x] yes\n"
+    "## Exit ticket\n### Question: A *b*?\n- [x] yes\n- [ ] no → no idea\n### Question: B?\n- [ ] no → none\n- [x] "
+    "yes\n"
     "### Question: C?\n- [ ] no → none\n- [x] yes\n";
 
 Lesson smallLesson(const std::string& body = "") {
@@ -121,7 +122,8 @@ TEST_CASE("each of the sixteen shipped lessons has a complete kit in English and
   }
 }
 
-TEST_CASE("a lesson's two kits say the same: as many items in each part, at the same steps, with the same right choices") {
+TEST_CASE(
+    "a lesson's two kits say the same: as many items in each part, at the same steps, with the same right choices") {
   for (std::size_t k = 0; k < shipped().size(); k += 2) {
     const Shipped &english = shipped()[k], &german = shipped()[k + 1];
     CAPTURE(english.file.string());
@@ -174,7 +176,8 @@ TEST_CASE("the time line of each shipped lesson has a row for each step of the c
   for (const Shipped& s : shipped()) {
     CAPTURE(s.file.string());
     const std::vector<PlanRow> plan = classPlan(s.lesson);
-    const auto core = std::count_if(s.lesson.steps.begin(), s.lesson.steps.end(), [](const Step& x) { return !x.aside; });
+    const auto core =
+        std::count_if(s.lesson.steps.begin(), s.lesson.steps.end(), [](const Step& x) { return !x.aside; });
     REQUIRE(plan.size() == std::size_t(core) + 3);
     int at = 0;
     for (const PlanRow& row : plan) {
@@ -201,8 +204,7 @@ TEST_CASE("a core that is too long for 45 minutes keeps its estimate, and the ki
   const std::vector<PlanRow> plan = classPlan(lesson);
   CHECK(plan[1].minutes == doctest::Approx(core).epsilon(0.02));
   const std::vector<Problem> lacks = kitLacks(lesson, readKit("kits/l.md", std::string(kGoodKit)));
-  CHECK(std::any_of(lacks.begin(), lacks.end(),
-                    [](const Problem& p) { return has(p.message, "more than 45"); }));
+  CHECK(std::any_of(lacks.begin(), lacks.end(), [](const Problem& p) { return has(p.message, "more than 45"); }));
 }
 
 TEST_CASE("nothing that a lesson keeps back stands on its worksheet or exit ticket") {
@@ -215,7 +217,8 @@ TEST_CASE("nothing that a lesson keeps back stands on its worksheet or exit tick
     for (const std::string& goal : s.lesson.goals) CHECK_MESSAGE(!has(page, goal), goal);
     for (const Question& q : s.kit.exit_ticket)
       for (const Choice& c : q.choices)
-        if (!c.right && plainText(c.feedback) != plainText(c.text)) CHECK_MESSAGE(!has(page, kit::html(c.feedback)), plainText(c.feedback));
+        if (!c.right && plainText(c.feedback) != plainText(c.text))
+          CHECK_MESSAGE(!has(page, kit::html(c.feedback)), plainText(c.feedback));
     // Every question of the core stands there, and each prediction with all its choices.
     for (const Step& step : s.lesson.steps)
       for (const Question& q : step.questions) {
@@ -249,7 +252,8 @@ TEST_CASE("of 34 shipped predictions on the worksheets no place holds the right 
       for (const Question& q : step.questions) {
         if (!q.prediction || step.aside || q.in_order || q.choices.size() != 3) continue;
         std::vector<std::pair<std::size_t, bool>> places;
-        for (const Choice& c : q.choices) places.emplace_back(sheet.find("<li>" + kit::html(c.text) + "</li>"), c.right);
+        for (const Choice& c : q.choices)
+          places.emplace_back(sheet.find("<li>" + kit::html(c.text) + "</li>"), c.right);
         std::sort(places.begin(), places.end());
         for (std::size_t k = 0; k < 3; ++k) at[k] += places[k].second;
         ++all;
@@ -263,7 +267,8 @@ TEST_CASE("the teacher's page has the goals, the questions of the core with thei
   for (const Shipped& s : shipped()) {
     CAPTURE(s.file.string());
     const std::string page = kitPage(s.lesson, s.kit, KitFor::Teacher);
-    for (const std::string& goal : s.lesson.goals) CHECK(has(page, "<li>" + kit::html({TextRun{.text = goal}}) + "</li>"));
+    for (const std::string& goal : s.lesson.goals)
+      CHECK(has(page, "<li>" + kit::html({TextRun{.text = goal}}) + "</li>"));
     for (const Step& step : s.lesson.steps)
       for (const Question& q : step.questions)
         if (!step.aside)
@@ -271,7 +276,8 @@ TEST_CASE("the teacher's page has the goals, the questions of the core with thei
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& choices = s.kit.exit_ticket[k].choices;
       const auto right = std::find_if(choices.begin(), choices.end(), [](const Choice& c) { return c.right; });
-      CHECK(has(page, "<p><b>" + std::to_string(k + 1) + " " + kit::letter(std::size_t(right - choices.begin())) + "</b>"));
+      CHECK(has(page,
+                "<p><b>" + std::to_string(k + 1) + " " + kit::letter(std::size_t(right - choices.begin())) + "</b>"));
     }
     CHECK(has(page, kitPage(s.lesson, s.kit, KitFor::Students).substr(0, 40)));
   }
@@ -291,7 +297,8 @@ TEST_CASE("the words of a worksheet are none that answer a question of the core:
   const auto words = kit::worksheetWords(shipped()[16].lesson);
   CHECK(shipped()[16].file.stem() == "first-touch");
   CHECK(std::none_of(words.begin(), words.end(), [](const GlossaryWord* w) { return w->word == "crease"; }));
-  CHECK(std::any_of(words.begin(), words.end(), [](const GlossaryWord* w) { return w->word == "van der Waals radius"; }));
+  CHECK(
+      std::any_of(words.begin(), words.end(), [](const GlossaryWord* w) { return w->word == "van der Waals radius"; }));
 }
 
 TEST_CASE("a kit's file is read: parts in English or German, prompts with step and answer, the ticket's choices") {
@@ -305,7 +312,8 @@ TEST_CASE("a kit's file is read: parts in English or German, prompts with step a
   CHECK(kit::html(kit.exit_ticket[0].title) == "A <i>b</i>?");
   CHECK(plainText(kit.exit_ticket[0].choices[1].feedback) == "no idea");
   CHECK(kitLacks(smallLesson(), kit).empty());
-  CHECK(readKit("kits/l.de.md", "## Vorwissen\n- A\n## Was die Hand zeigt\n- B\n## Grenzen des Modells\n- C\n").limits.size() == 1);
+  CHECK(readKit("kits/l.de.md", "## Vorwissen\n- A\n## Was die Hand zeigt\n- B\n## Grenzen des Modells\n- C\n")
+            .limits.size() == 1);
 }
 
 TEST_CASE("what a kit lacks is named one by one: seven gaps of an empty file, and what is wrong in one that is there") {
@@ -333,11 +341,13 @@ TEST_CASE("what a kit lacks is named one by one: seven gaps of an empty file, an
   CHECK(changed("- [x] yes\n- [ ] no → no idea", "- [x] yes\n- [x] no") ==
         "12: this question of the exit ticket does not have exactly one right choice among several\n");
   CHECK(changed("### Question: C?\n- [ ] no → none\n- [x] yes\n", "") == "0: the exit ticket has 2 questions\n");
-  CHECK(changed("## Prior knowledge", "## Before") == "2: 'Before' is no part of a teacher's kit\n"
-                                                     "0: the kit does not say what students must know before\n");
+  CHECK(changed("## Prior knowledge", "## Before") ==
+        "2: 'Before' is no part of a teacher's kit\n"
+        "0: the kit does not say what students must know before\n");
   CHECK(changed("# Teacher's kit\n", "# Teacher's kit\n## Curriculum\n- Code 7\n") ==
         "0: 'Code 7' names no source that it was checked against\n");
-  CHECK(changed("# Teacher's kit\n", "# Teacher's kit\n## Curriculum\n- Code 7 ([checked](https://example.org/7))\n").empty());
+  CHECK(changed("# Teacher's kit\n", "# Teacher's kit\n## Curriculum\n- Code 7 ([checked](https://example.org/7))\n")
+            .empty());
   const TeachersKit none = kitOf("no-such-folder/l.md");
   REQUIRE(kitLacks(lesson, none).size() == 1);
   CHECK(has(kitLacks(lesson, none)[0].remedy, "no-such-folder/kits/l.md"));
@@ -347,7 +357,8 @@ TEST_CASE("text of a lesson and of its kit cannot become a tag of the page") {
   Lesson lesson = smallLesson("### Question: Is 1 < 2 & \"3\"?\n- [x] a < b → F\n- [ ] c → F\n");
   lesson.title = "<script>alert(1)</script>";
   lesson.goals = {"<img src=x onerror=alert(1)>"};
-  const std::string page = kitPage(lesson, readKit("kits/l.md", "## Limits of the model\n- <b onclick=x>rigid</b> & 1 < 2\n"), KitFor::Teacher);
+  const std::string page = kitPage(
+      lesson, readKit("kits/l.md", "## Limits of the model\n- <b onclick=x>rigid</b> & 1 < 2\n"), KitFor::Teacher);
   CHECK_FALSE(has(page, "<script"));
   CHECK_FALSE(has(page, "<img"));
   CHECK_FALSE(has(page, "onclick=x>"));
