@@ -62,7 +62,7 @@ std::size_t count(const std::string& text, std::string_view part) {
 /// answers of several letters, hints and teacher's notes.
 struct KeptBack {
   std::string text;
-  bool choice = false;
+  bool choice = false, tag = false;
 };
 std::vector<KeptBack> keptBack(const Lesson& lesson) {
   std::vector<KeptBack> out;
@@ -70,7 +70,7 @@ std::vector<KeptBack> keptBack(const Lesson& lesson) {
     for (const Question& q : step.questions) {
       for (const Choice& c : q.choices) {
         out.push_back({kit::html(c.feedback)});
-        out.push_back({c.tag});
+        out.push_back({c.tag, false, true});
         if (!q.prediction) out.push_back({kit::html(c.text), true});
       }
       if (q.answer) {
@@ -222,7 +222,7 @@ TEST_CASE("nothing that a lesson keeps back stands on its worksheet or exit tick
     for (const Step& step : s.lesson.steps)
       for (const Question& q : step.questions) asked += kit::html(q.title) + "\n";
     for (const KeptBack& kept : keptBack(s.lesson)) {
-      if (has(asked, kept.text)) continue;
+      if (kept.tag && has(asked, kept.text)) continue;  // of a question's own words
       CHECK_MESSAGE(!has(sheet, kept.text), kept.text);
       // The ticket may offer a choice of the lesson again, without a mark.
       if (!kept.choice) CHECK_MESSAGE(!has(ticket, kept.text), kept.text);
