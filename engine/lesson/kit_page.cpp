@@ -107,8 +107,9 @@ void timeLine(std::string& out, const Lesson& lesson, const TeachersKit& kit) {
     switch (row.kind) {
       case PlanRow::Kind::Opening:
         out += std::string("<b>") + tr("Opening") + "</b></td><td colspan=\"2\">" +
-               tr("The question of the lesson, read aloud. Each student writes the predictions of the worksheet before "
-                  "anything is touched.");
+               tr("The question of the lesson, read aloud. What does the class expect? The worksheets are handed out; "
+                  "each prediction "
+                  "is made when its step comes, before the touch.");
         break;
       case PlanRow::Kind::Step: {
         const Step& step = lesson.steps[row.step];

@@ -161,7 +161,7 @@ void worksheet(std::string& out, const Lesson& lesson) {
   }
   if (!predictions.empty())
     out += std::string("<h2>") + tr("Before you touch") + "</h2><p class=\"quiet\">" +
-           tr("What do you expect? There is no wrong answer yet. The numbers are those of the steps.") + "</p>" +
+           tr("What do you expect? Decide when you come to the step of this number. No answer is wrong yet.") + "</p>" +
            predictions;
   out += std::string("<h2>") + tr("What your hand finds") + "</h2>" + records;
   if (!questions.empty())
