@@ -183,7 +183,7 @@ TEST_CASE("what a teacher's kit lacks is a note with its line, counts as no erro
   CHECK(run.status == 0);
   CHECK(run.out ==
         "./kits/a.md: note: the exit ticket has 1 question; write three below '## Exit ticket'\n"
-        "./kits/a.md:12:1: note: this choice does not say which misconception it stands for; write → after it, and the "
+        "./kits/a.md:12:7: note: this choice does not say which misconception it stands for; write → after it, and the "
         "misconception\n"
         "./a.md: 1 min for the core, 1 min with all steps\n1 lesson checked: no errors\n");
   const auto json = nlohmann::json::parse(runMoltact(folder.path, "check . --json").out);
