@@ -77,7 +77,7 @@ thead{display:table-header-group}tr{break-inside:avoid}td.min{white-space:nowrap
 .tickets{padding-top:0;padding-bottom:0}.ticket{break-inside:avoid;padding:9mm 0}.ticket+.ticket{border-top:1.5px dashed #777}
 @page{margin:11mm 13mm}
 @media print{html{background:none}body{font-size:10.2pt}.sheet{max-width:none;margin:0;padding:0}.sheet+.sheet{break-before:page}.teacher{font-size:8.6pt;line-height:1.3}
-.fresh{break-before:page}.ticket{height:124mm;padding:6mm 0}.ticket+.ticket{padding-top:8mm}a{color:inherit;text-decoration:none}}
+.fresh{break-before:page}.ticket{min-height:122mm;padding:6mm 0}.ticket+.ticket{padding-top:8mm}a{color:inherit;text-decoration:none}}
 )css";
 }
 
