@@ -16,6 +16,7 @@
   X(Simulate)               \
   X(Modes)                  \
   X(Report)                 \
+  X(Class)                  \
   X(Kit)                    \
   X(Bench)                  \
   X(Devices)                \
