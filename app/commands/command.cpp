@@ -18,6 +18,7 @@
   X(Report)                 \
   X(Forget)                 \
   X(Class)                  \
+  X(Kit)                    \
   X(Bench)                  \
   X(Devices)                \
   X(Device)                 \
