@@ -16,7 +16,9 @@
   X(Simulate)               \
   X(Modes)                  \
   X(Report)                 \
+  X(Forget)                 \
   X(Class)                  \
+  X(Kit)                    \
   X(Bench)                  \
   X(Devices)                \
   X(Device)                 \

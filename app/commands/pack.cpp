@@ -19,6 +19,7 @@
 #include "engine/platform/read_file.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
+#include "engine/results/translation_shape.h"
 
 namespace moltact {
 namespace {
@@ -48,6 +49,24 @@ PlatformCourse courseOf(const fs::path& file) {
   out.description = reading.lesson->description;
   out.language = reading.lesson->language.empty() ? lessonName(file).language : reading.lesson->language;
   out.goals = reading.lesson->goals;
+  return out;
+}
+
+// Translations whose steps, tasks or questions are not those of the lesson.
+std::vector<Problem> differingTranslations(const fs::path& lesson, const std::vector<std::string>& packed) {
+  std::vector<Problem> out;
+  const LessonReading reading = readLesson(lesson);
+  for (const std::string& name : packed) {
+    const fs::path file(name);
+    if (!reading.lesson || file.has_parent_path() || file == lesson.filename() ||
+        lower(file.extension().string()) != ".md" || lessonName(file).id != lessonName(lesson).id)
+      continue;
+    const fs::path whole = lesson.parent_path() / file;
+    const LessonReading translation = readLesson(whole);
+    if (!translation.lesson) continue;
+    if (auto fault = translationFault(*reading.lesson, lesson.filename().string(), *translation.lesson, whole.string()))
+      out.push_back(*std::move(fault));
+  }
   return out;
 }
 
@@ -90,6 +109,11 @@ void run(const PackArguments& arguments) {
   for (const Problem& p : packed.errors) err() << "moltact: " << p.text() << '\n';
   if (!packed.pack) throw CommandError{tr("nothing was packed; correct the errors above")};
   const std::optional<LearningPlatform> platform = arguments.platform();
+  if (platform) {
+    const std::vector<Problem> faults = differingTranslations(lesson, packed.pack->files);
+    for (const Problem& p : faults) err() << "moltact: " << p.text() << '\n';
+    if (!faults.empty()) throw CommandError{tr("nothing was packed; correct the errors above")};
+  }
   const bool html = arguments.html || !arguments.page.empty() || platform;
   fs::path out_file = arguments.out;
   if (out_file.empty()) out_file = fs::path(lesson).replace_extension(endingOf(platform, html));

@@ -1,4 +1,5 @@
 // `moltact report`: reads the attempts of a class and writes a table for spreadsheets and a page.
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -18,8 +19,24 @@ namespace {
 struct Arguments {
   std::vector<std::string> results;
   std::string csv, html, gradebook, code_word;
-  bool anonymous = false;
+  bool anonymous = false, typed_texts = false;
+
+  NamesShown names() const {
+    return {.anonymous = anonymous || !code_word.empty(), .typed_texts = typed_texts, .code_word = code_word};
+  }
 };
+
+// The names of files and folders often name students.
+std::vector<Problem> withoutFileNames(std::vector<Problem> problems) {
+  std::vector<std::string> files;
+  for (Problem& p : problems) {
+    const auto known = std::find(files.begin(), files.end(), p.file);
+    const std::size_t number = std::size_t(known - files.begin()) + 1;
+    if (known == files.end()) files.push_back(p.file);
+    p.file = trf("file {0}", number);
+  }
+  return problems;
+}
 
 void write(const std::string& file, const std::string& bytes) {
   if (const auto problem = writeWhole(file, bytes)) throw CommandError{problem->text()};
@@ -27,8 +44,8 @@ void write(const std::string& file, const std::string& bytes) {
 
 void run(const Arguments& arguments) {
   const std::vector<std::filesystem::path> named(arguments.results.begin(), arguments.results.end());
-  const ClassReading reading = readClass(
-      named, {.anonymous = arguments.anonymous || !arguments.code_word.empty(), .code_word = arguments.code_word});
+  const NamesShown names = arguments.names();
+  const ClassReading reading = readClass(named, names);
   for (const Problem& p : reading.passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
   const ClassSummary& summary = reading.summary;
   if (summary.attempts == 0) throw CommandError{tr("there are no attempts to report on in what was named")};
@@ -38,7 +55,8 @@ void run(const Arguments& arguments) {
   if (!arguments.html.empty()) {
     const std::string now = utcText(std::chrono::system_clock::now());
     write(arguments.html,
-          classPage(summary, reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
+          classPage(summary, names.anonymous ? withoutFileNames(reading.passed_over) : reading.passed_over,
+                    now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
   out() << summaryText(summary) << '\n';
 }
@@ -65,12 +83,20 @@ void addReport(CLI::App& app) {
           "--gradebook", arguments->gradebook,
           "Write marks for a learning platform to this file: a row for each named student, a column for each lesson")
       ->type_name(kFileType);
-  command->add_flag("--anonymous", arguments->anonymous, "Replace names by S01, S02 ...");
-  command
-      ->add_option("--code-word", arguments->code_word,
-                   "Replace names by codes computed from the name and WORD, the same in every report with that WORD")
-      ->type_name("WORD");
-  command->callback([arguments] {
+  CLI::Option* anonymous =
+      command->add_flag("--anonymous", arguments->anonymous,
+                        "Replace names by S01, S02 ..., leave out typed texts but right answers and numbers, and give "
+                        "the day only");
+  CLI::Option* code_word =
+      command
+          ->add_option("--code-word", arguments->code_word,
+                       "The same, with codes computed from the name and WORD, the same in every report with that WORD")
+          ->type_name("WORD");
+  command->add_flag("--typed-texts", arguments->typed_texts,
+                    "With --anonymous or --code-word: keep typed texts, with the names of the class replaced");
+  command->callback([arguments, anonymous, code_word] {
+    if (arguments->typed_texts && anonymous->count() == 0 && code_word->count() == 0)
+      throw CLI::ValidationError("--typed-texts", "give it with --anonymous or --code-word");
     if (arguments->csv.empty() && arguments->html.empty() && arguments->gradebook.empty())
       throw CLI::RequiredError("--csv, --html or --gradebook");
     run(*arguments);

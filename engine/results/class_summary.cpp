@@ -12,6 +12,7 @@
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/sensitivity.h"
+#include "engine/results/anonymous_text.h"
 #include "engine/results/lesson_language.h"
 
 namespace moltact {
@@ -249,6 +250,35 @@ struct ClassCount::Impl {
 
   bool anonymous() const { return shown_as.anonymous || !shown_as.code_word.empty(); }
 
+  NameCover cover() const {
+    std::map<std::string, std::string> hidden;
+    for (const auto& [key, code] : codes)
+      if (key.starts_with('n')) hidden.emplace(key.substr(1), code);
+    return NameCover(hidden);
+  }
+
+  std::string typedText(const NameCover& cover, const std::string& text) const {
+    if (text.empty() || isMeasurement(text)) return text;
+    if (shown_as.typed_texts) return cover.covered(text);
+    std::size_t words = 0;
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n'; };
+    for (std::size_t at = 0; at < text.size(); ++at) words += !blank(text[at]) && (at == 0 || blank(text[at - 1]));
+    return trnf("({0} word left out)", "({0} words left out)", words, words);
+  }
+
+  // Takes out what else could tell who somebody is.
+  void makeAnonymous(PersonScore& score, const NameCover& cover) const {
+    constexpr std::size_t kDay = 10;  // "2026-11-21"
+    score.began.resize(std::min(score.began.size(), kDay));
+    for (auto& [question, answer] : score.answers)
+      if (answer.kind != AnswerKind::Marked || !answer.first_right) answer.written = typedText(cover, answer.written);
+    for (Predicted& prediction : score.predictions) {
+      const auto code = codes.find("n" + prediction.student);
+      prediction.student = code == codes.end() ? tr("(another)") : code->second;
+      prediction.text = typedText(cover, prediction.text);
+    }
+  }
+
   std::string personOf(const AttemptHeader& header) {
     const bool named = !header.student.empty();
     const std::string key = named ? "n" + header.student : "f" + std::to_string(out.attempts);
@@ -314,6 +344,7 @@ ClassSummary ClassCount::finish() {
   ClassSummary& out = impl_->out;
   std::map<std::string, std::size_t> titles;  // number of lessons with this file name
   for (const auto& [of, lesson] : impl_->lessons) ++titles[of.first];
+  const NameCover cover = impl_->cover();
   for (auto& [of, counted] : impl_->lessons) {
     LessonSummary lesson{titles[of.first] > 1 ? of.first + " (" + of.second + ")" : of.first,
                          std::move(counted.newest),
@@ -321,11 +352,7 @@ ClassSummary ClassCount::finish() {
                          {}};
     lesson.people.reserve(counted.people.size());
     for (auto& [name, score] : counted.people) {
-      if (impl_->anonymous())
-        for (Predicted& prediction : score.predictions) {
-          const auto code = impl_->codes.find("n" + prediction.student);
-          prediction.student = code == impl_->codes.end() ? tr("(another)") : code->second;
-        }
+      if (impl_->anonymous()) impl_->makeAnonymous(score, cover);
       lesson.people.push_back(std::move(score));
     }
     counted.people.clear();

@@ -103,8 +103,11 @@ struct ClassSummary {
 };
 
 struct NamesShown {
-  /// Names are replaced by "S01", "S02" …, in an order that does not depend on the names.
+  /// Names are replaced by "S01", "S02" …, in an order that does not depend on the names. Texts that students typed are
+  /// left out, but for right answers and numbers, and the time at which somebody began is reduced to the day.
   bool anonymous = false;
+  /// Without names: typed texts stay, with the names of the class's students replaced by their codes.
+  bool typed_texts = false;
   /// With a code word, names are instead replaced by codes computed from the word and the name, "S-4KQ7M": the same in
   /// every report with that word. Someone who knows the word can test names.
   std::string code_word = {};

@@ -73,6 +73,29 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "for a learning platform a translation with another task is refused at its line and nothing is written; a .moltact "
+    "takes it, and so does the platform once it is mended") {
+  const Place place;
+  place.write(
+      "edition.html",
+      "<html><script id=\"platform-script\"></script><!--a lesson comes here--><script>program</script></html>");
+  std::string german = kLesson;
+  german.replace(german.find("reach: all"), 10, "press: anywhere\nuntil: 0.8 N");
+  place.write("haem.de.md", german);
+  place.write("other.de.md", german);  // of another lesson
+  for (const char* option : {"--scorm", "--cmi5"}) {
+    const Run run = place.run(std::string("pack haem.md --page edition.html -o out.zip ") + option);
+    CHECK(run.status == 1);
+    CHECK(has(run.err, "haem.de.md:14"));
+    CHECK(has(run.err, "task 1 of step 1 is 'press', that of haem.md is 'reach'; give the translation the same steps"));
+    CHECK_FALSE(fs::exists(place.folder / "out.zip"));
+  }
+  CHECK(place.run("pack haem.md").status == 0);
+  place.write("haem.de.md", kLesson);
+  CHECK(place.run("pack haem.md --scorm --page edition.html").status == 0);
+}
+
+TEST_CASE(
     "with --scorm, --scorm 2004 and --cmi5 a zip holds the manifest and the page at its top, well-formed by xmllint "
     "whatever the title is, twice to the same bytes") {
   const Place place;

@@ -105,6 +105,7 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
     {"info small.", "the file is made as the page tells, of gigabytes"},
     {"pack --html", "the name of an option, with no lesson"},
     {"check --play", "the name of an option, with no lesson"},
+    {"forget", "the student of the pages has no attempts; tests/app/forget_command_test.cpp deletes one"},
     {"report --anonymous", "the name of an option, with no results"}};
 
 // What opens the window.

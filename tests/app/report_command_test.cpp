@@ -51,6 +51,30 @@ TEST_CASE(
   CHECK(bytesOf(html).find("b.jsonl:2") != std::string::npos);
 }
 
+TEST_CASE(
+    "without names the page does not name a student whose name is that of a folder with a damaged file, and "
+    "--typed-texts "
+    "alone is refused") {
+  const ScratchFolder scratch;
+  fs::create_directories(scratch.path / "results" / "Visible");
+  std::string damaged = sampleFile();
+  damaged.insert(damaged.find('\n') + 1, "what?\n");
+  writeFile(scratch.path / "results" / "Visible" / "a.jsonl", damaged);
+  writeFile(scratch.path / "results" / "Visible" / "b.jsonl", "not this\n");
+  const std::string results = (scratch.path / "results").string();
+  const fs::path html = scratch.path / "class.html";
+  const Ended ended = report(results + " --anonymous --html " + html.string());
+  CHECK(ended.status == 0);
+  CHECK(ended.said.find("Visible/a.jsonl:2") != std::string::npos);
+  const std::string page = bytesOf(html);
+  CHECK(page.find("Visible") == std::string::npos);
+  CHECK(page.find("file 1:2: it is no JSON object") != std::string::npos);
+  CHECK(page.find("file 2:1: it is no attempt") != std::string::npos);
+  const Ended refused = report(results + " --typed-texts --html " + html.string());
+  CHECK(refused.status == 2);
+  CHECK(refused.said.find("--anonymous or --code-word") != std::string::npos);
+}
+
 TEST_CASE("without attempts, without a place to write, or with a full disk the command says so and fails") {
   const ScratchFolder scratch;
   writeFile(scratch.path / "a.jsonl", sampleFile());

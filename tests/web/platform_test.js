@@ -1,9 +1,9 @@
-// node tests/web/platform_test.js: the page's side of a learning platform (app/web/platform.js) against a strict SCORM
+// node tests/web/platform_test.js: the page's side of a learning platform (app/web/platform.js, cmi5.js) against a strict SCORM
 // runtime and a record store, both written here after the standards.
 "use strict";
-const assert = require("node:assert"), fs = require("node:fs"), path = require("node:path"), vm = require("node:vm");
+const assert = require("node:assert"), vm = require("node:vm");
 const runtime = require("./scorm_runtime.js");
-const source = fs.readFileSync(path.join(__dirname, "../../app/web/platform.js"), "utf8");
+const source = require("./platform_source.js");
 
 class Storage {
   constructor() { this.all = new Map(); }
@@ -305,6 +305,8 @@ function recordStore() {
     must(categories.includes(kCmi5 + "moveon") === ["completed", "passed", "failed"].includes(verb), "moveon of " + verb);
     if (defined) must(one.object.id === "https://lms/au/1", "object of " + verb);
     if (["completed", "passed", "failed", "terminated"].includes(verb)) must(/^PT[\d.]+S$/.test(one.result.duration), "duration of " + verb);
+    if (["passed", "failed"].includes(verb))
+      must(one.context.extensions["https://w3id.org/xapi/cmi5/context/extensions/masteryscore"] === store.launch.masteryScore, "masteryscore of " + verb);
     if (verb === "completed") must(one.result.completion === true && one.result.score === undefined && one.result.success === undefined, "result of completed");
     const name = (s) => s.verb.id.split("/").pop();
     const before = store.statements.filter((s) => s.of === store.session).map(name);

