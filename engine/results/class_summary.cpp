@@ -76,7 +76,7 @@ class Counting {
     AnswerScore& a = p_.answers[{e.step, e.question}];
     const auto kind = kinds_.find({e.step, e.question});
     if (kind != kinds_.end()) a.kind = kind->second;
-    if (a.tries == 0 || a.kind != AnswerKind::Marked) {
+    if (a.tries == 0 || a.kind != AnswerKind::Marked || test_) {
       a.chosen = e.chosen;
       a.written = e.written;
       a.first_right = e.right;
@@ -86,8 +86,8 @@ class Counting {
     for (const std::size_t c : e.chosen)
       if (tags != tags_.end() && c < tags->second.size() && !tags->second[c].empty())
         ++p_.misconceptions[tags->second[c]];
-    if (!a.right) ++a.tries;
-    a.right = a.right || e.right;
+    if (!a.right || test_) ++a.tries;
+    a.right = (a.right && !test_) || e.right;
   }
   void operator()(const LessonReread& e) { learn(e.lesson); }
   void operator()(const OrderChanged& e) { p_.rules.push_back(e); }
@@ -136,6 +136,7 @@ class Counting {
 
  private:
   void learn(const LessonOutline& lesson) {
+    test_ = lesson.test;
     for (const StepOutline& s : lesson.steps)
       for (const QuestionOutline& q : s.questions) {
         kinds_[{s.id, q.id}] = q.kind;
@@ -166,6 +167,7 @@ class Counting {
   PersonScore& p_;
   std::map<std::pair<std::string, std::string>, AnswerKind> kinds_;               // by step and question id
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> tags_;  // of its choices
+  bool test_ = false;
   std::string step_, at_;  // the step whose time is counted, and the last step entered
   double t_s_ = 0.0, entered_s_ = 0.0;
   std::optional<TouchSoFar> open_;  // the touch without an end so far, and the time of its last record
