@@ -16,6 +16,7 @@
   X(Simulate)               \
   X(Modes)                  \
   X(Report)                 \
+  X(Study)                  \
   X(Bench)                  \
   X(Devices)                \
   X(Device)                 \

@@ -92,8 +92,8 @@ double noncentralTCdf(double t, double df, double delta) {
   if (half == 0.0) {
     sum = incompleteBeta(x, 0.5, 0.5 * df);
   } else {
-    // The terms of a Poisson distribution, from its middle outwards.
-    const double reach = 12.0 * std::sqrt(half) + 40.0;
+    // The terms of a Poisson distribution that exceed 1e-17 of the whole.
+    const double reach = 9.0 * std::sqrt(half) + 25.0;
     for (double j = std::max(0.0, std::floor(half - reach)); j <= half + reach; j += 1.0) {
       const double p = std::exp(-half + j * std::log(half) - std::lgamma(j + 1.0));
       const double q = delta / std::numbers::sqrt2 * std::exp(-half + j * std::log(half) - std::lgamma(j + 1.5));
