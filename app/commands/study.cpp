@@ -38,8 +38,9 @@ void report(const std::vector<Problem>& problems, bool warnings) {
 std::string editionText(const fs::path& edition) {
   if (edition.empty())
     throw CommandError{
-        tr("there is no browser edition here to make pages of; make it with './run.sh web', name a moltact.html with "
-           "--page, or write packs for the desktop program with --packs")};
+        tr("there is no browser edition here to make pages of; make it with './run.sh web', name one with --page, or "
+           "write "
+           "packs with --packs")};
   Expected<std::string> text = readFile(edition, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
   if (!text) throw CommandError{text.problem().text()};
   return *std::move(text);
