@@ -26,13 +26,14 @@ void takeTouchOut(SceneSpec& scene) {
   scene.pull = PullBy::None;
   scene.pulled = {};
   scene.touch.force_on = false;
+  scene.touch.forces = "none";
   scene.show.erase(std::remove_if(scene.show.begin(), scene.show.end(),
                                   [](const std::string& part) { return part != "atoms" && part != "target"; }),
                    scene.show.end());
   if (scene.show.empty()) scene.show = {"atoms", "target"};
   std::erase_if(scene.panels, [](const std::string& panel) { return panel == "touch" || panel == "methods"; });
   if (scene.panels.empty()) scene.panels = {"none"};
-  lock(scene, {"force", "panels", "show"});
+  lock(scene, {"force", "forces", "panels", "show"});
 }
 
 void takeTouchOut(Step& step) {

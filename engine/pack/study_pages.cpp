@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reader.h"
@@ -45,7 +46,7 @@ std::string withFront(const std::string& text, const std::vector<std::string>& l
       for (const std::string& l : lines) out += l + '\n';
       continue;
     }
-    if (in_front && stripped(line) == "---") in_front = false;
+    if (in_front && trimmed(line) == "---") in_front = false;
     const auto begins = [&](std::string_view key) { return line.starts_with(key); };
     // A replaced key leaves a comment, so that the lines keep their numbers.
     if (in_front && (begins("order:") || begins("ask:") || begins("condition:") || begins("study:")))

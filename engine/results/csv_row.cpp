@@ -59,7 +59,7 @@ std::string quoted(std::string text) {
   return out + '"';
 }
 
-std::string number(double value, int digits) {
+std::string cellNumber(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
@@ -71,7 +71,7 @@ CsvRow::~CsvRow() { out_ += "\r\n"; }
 
 void CsvRow::text(const std::string& cell) { raw(quoted(cell)); }
 
-void CsvRow::value(double v, int digits) { raw(number(v, digits)); }
+void CsvRow::value(double v, int digits) { raw(cellNumber(v, digits)); }
 
 void CsvRow::raw(const std::string& cell) {
   if (!first_) out_ += ',';

@@ -218,7 +218,7 @@ TEST_CASE(
     double g = 0.0;
     const std::uint64_t first_seed = effect > 0.0 ? 1000 : 5000;
     for (std::uint64_t seed = first_seed; seed < first_seed + kStudies; ++seed) {
-      const auto comparisons = studyComparisons(dataOf(SimulatedClass(seed, effect).attempts(kStudents, false)));
+      const auto comparisons = studyComparisons(dataOf(SimulatedClass(seed, effect).attempts(kStudents, true)));
       const EffectSize& e = comparisons[0].effect.value();
       found += e.p < 0.05;
       covered += e.low <= effect && effect <= e.high;

@@ -166,7 +166,7 @@ TEST_CASE("a step that only one condition has is missed by a link in the others,
   CHECK(study.packs.empty());
   REQUIRE_FALSE(study.errors.empty());
   CHECK(study.errors[0].file == (folder.path / "lesson.md").string());
-  CHECK(study.errors[0].line == 35);
+  CHECK(study.errors[0].line == 32);
 }
 
 TEST_CASE("a draw of 200 students in three groups is balanced after every block and the same for the same seed") {
