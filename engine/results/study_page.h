@@ -17,8 +17,8 @@ struct StudyComparison {
   std::optional<EffectSize> effect;  ///< first minus second, in shares of the test
   std::size_t n1 = 0, n2 = 0;
 };
-/// Every pair of groups, those with touch first, for the gain from pre to post, the test after, and the gain to the
-/// delayed test, as far as the study has them.
+/// Every pair of groups, those with touch first, in each outcome that the study has. Outcomes are the gain from pre to
+/// post, the test after, and the gain to the delayed test.
 std::vector<StudyComparison> studyComparisons(const StudyData& study);
 
 /// Returns the whole file; `made` is the date in words.
