@@ -148,6 +148,18 @@
       try { localStorage.removeItem(this.last); } catch (error) { /* there is none */ }
     },
 
+    // How many bytes of a file the database has; all, if nothing can be stored.
+    stored(path) {
+      if (!this.base || this.failing) return Infinity;
+      return Number((this.known.get(path) || "0").split(" ")[0]);
+    },
+
+    // Stores what is there, and then nothing more: another tab goes on with the same files.
+    async leaveToOther() {
+      await this.save();
+      this.base = null;
+    },
+
     failed(error) {
       if (this.failing) return;  // report only once
       this.failing = true;
@@ -432,6 +444,48 @@
     globalThis.moltactReporter = reporter;  // for debugging
   }
 
+  // ---- the live class, in a page that a class serves --------------------------------------------------------------------------
+
+  const classroom = {facts: byId("class-facts"), student: null};
+  async function joinClass() {
+    if (!classroom.facts) return;
+    const script = document.createElement("script");
+    script.textContent = byId("classroom-script").textContent + ";globalThis.moltactClassroom = moltactClassroom;";
+    document.head.append(script);
+    classroom.facts = JSON.parse(classroom.facts.textContent);
+    classroom.student = await moltactClassroom.join(classroom.facts, window, navigator.language);
+    // Each student of a computer has a storage apart from the own work of the page's address.
+    keeper.last = "moltact/last/" + (keeper.name = `moltact/class/${classroom.facts.code}/${classroom.student.number}`);
+  }
+
+  async function beginClass() {
+    const {student, facts} = classroom, kAttempts = kHome + "/.local/share/moltact/attempts";
+    program.ccall("moltact_class_begin", null, ["string"], [student.name]);
+    const {FS} = program;
+    let held = {};
+    globalThis.moltactSender = moltactClassroom.begin(student, {  // named for debugging
+      files: () => FS.analyzePath(kAttempts).exists ? FS.readdir(kAttempts).filter((name) => name.endsWith(".jsonl")).sort() : [],
+      read(name, all) {
+        const bytes = FS.readFile(kAttempts + "/" + name);
+        return all ? bytes : bytes.subarray(0, keeper.stored(kAttempts + "/" + name));
+      },
+      leave: () => keeper.leaveToOther(),
+      held(table) {
+        const hold = (lesson, step) => program.ccall("moltact_class_hold", null, ["string", "number"], [lesson, step]);
+        for (const lesson of Object.keys(held)) if (!Object.hasOwn(table, lesson)) hold(lesson, -1);
+        for (const [lesson, step] of Object.entries(table)) if (held[lesson] !== step) hold(lesson, step);
+        if (JSON.stringify(held) !== JSON.stringify(table)) stir();
+        held = table;
+      },
+    }, window);
+    if (student.lesson < 0) return;
+    const reply = await fetch("lesson/" + student.lesson, {credentials: "omit"});
+    if (!reply.ok) throw new Error(reply.status + " " + reply.statusText);
+    const file = kPassing + facts.lessons[student.lesson].id.replace(/[^\w-]/g, "_") + ".moltact";
+    put(FS, file, new Uint8Array(await reply.arrayBuffer()));
+    open(file);
+  }
+
   function hearFiles() {
     const mark = byId("drop");
     addEventListener("dragover", (event) => { event.preventDefault(); mark.hidden = false; });
@@ -514,6 +568,7 @@
 
   if (typeof WebAssembly !== "object" || typeof DecompressionStream !== "function")
     return say("too old");
+  const joining = joinClass();
   const hid = moltactDevices(stir);
   const simulations = moltactSimulations(unpacked, stir);
   try {
@@ -524,8 +579,12 @@
     });
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
+<<<<<<< HEAD
     await joinPlatform();
     await joinStudy();
+=======
+    await Promise.all([joinPlatform(), joining]);
+>>>>>>> main
     await Promise.all([keeper.load(made.FS), hid.begin()]);
     document.documentElement.lang = spoken;
     if (made.callMain([]) !== 0)
@@ -540,7 +599,8 @@
     said.hidden = true;
     canvas.focus({preventScroll: true});
     requestAnimationFrame(frame);
-    if (!await takeAlong()) asked();
+    if (classroom.student) await beginClass();
+    else if (!await takeAlong()) asked();
   } catch (error) {
     console.error(error);
     say("not started", error);

@@ -3,8 +3,8 @@
 
 The program (moltact.wasm), its files (lessons, molecules, models, translations, fonts) and the worker for simulations
 (moltact_openmm.js, simulation_worker.js, moltact_openmm.wasm) stand in the page packed by gzip, in base64; page.js
-unpacks them, the worker only when a scene needs it. platform.js stands there as text, which page.js runs only in a page
-packed for a learning platform. The files are one run of bytes behind a table: four bytes of its length, least
+unpacks them, the worker only when a scene needs it. platform.js and classroom.js stand there as text, which page.js runs only in a
+page packed for a learning platform, or served by a class. The files are one run of bytes behind a table: four bytes of its length, least
 first, then [[path, bytes], ...] as JSON.
 """
 import base64
@@ -52,6 +52,7 @@ def main():
         "SIMULATION_PROGRAM": packed((build / "moltact_openmm.wasm").read_bytes()),
         "SIMULATION_SCRIPT": packed((build / "moltact_openmm.js").read_bytes() + (here / "simulation_worker.js").read_bytes()),
         "PLATFORM": in_script((here / "platform.js").read_text()),
+        "CLASSROOM": in_script((here / "classroom.js").read_text()),
         "LOADER": in_script((build / "moltact.js").read_text()),
         "DEVICES": in_script((here / "devices.js").read_text()),
         "SIMULATION": in_script((here / "simulation.js").read_text()),

@@ -91,6 +91,8 @@ class LessonSession {
 
   /// Whether next() moves: the step need not be finished, is finished, or an answer leads elsewhere.
   bool mayGoOn() const;
+  /// Whether only the teacher of a live class can let the student go on from the present step (class_hold.h).
+  bool heldByClass() const;
   /// Whether a link may be followed: no step between the present one and its target must be finished first. True if
   /// there is no such step.
   bool mayGoTo(std::string_view link) const;
@@ -223,6 +225,7 @@ class LessonSession {
   std::size_t mainStepAfter(std::size_t step) const;  // the number of steps if there is none
   std::vector<char> skippedSteps() const;
   bool waits(std::size_t step) const;  // whether it must be finished first and no answer leads away from it
+  bool classWaits(std::size_t step) const;
   void feedTask(std::size_t task, const TouchSample& sample);
   void keepIfDone(std::size_t task);
   void keepSlide(const TouchSample& sample);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/lesson/class_hold.h"
+#include "engine/lesson/lesson_files.h"
 #include "engine/lesson/session.h"
 
 namespace moltact {
@@ -62,12 +64,27 @@ std::optional<std::size_t> LessonSession::leadsTo() const {
   return std::nullopt;
 }
 
+bool LessonSession::classWaits(std::size_t step) const {
+  return !classHolds().empty() && !lesson_->steps[step].aside && classHolds(lessonName(lesson_->file).id, step);
+}
+
 bool LessonSession::waits(std::size_t step) const {
+  if (classWaits(step)) return true;
   return lesson_->steps[step].required && !lesson_->steps[step].aside && !stepDone(step) &&
          !(step == step_ && leadsTo());
 }
 
-bool LessonSession::mayGoOn() const { return !waits(step_); }
+bool LessonSession::heldByClass() const {
+  if (classHolds().empty()) return false;
+  if (classWaits(step_)) return true;
+  if (waits(step_)) return false;  // its own tasks come first
+  // An answer may lead over the step where the class waits, or skip it.
+  const std::size_t to = leadsTo().value_or(step().aside ? main_step_ : mainStepAfter(step_));
+  return to < lesson_->steps.size() && !lesson_->steps[to].aside && to > main_step_ &&
+         classHolds(lessonName(lesson_->file).id, to - 1);
+}
+
+bool LessonSession::mayGoOn() const { return !waits(step_) && !heldByClass(); }
 
 bool LessonSession::mayGoTo(std::string_view link) const {
   if (link.starts_with('#')) link.remove_prefix(1);

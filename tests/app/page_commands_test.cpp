@@ -90,6 +90,7 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
     {"fetch", "it needs the network"},
     {"bench", "it takes minutes; tests/app/bench_command_test.cpp runs each part in short"},
     {"device check", "it wants a device in a hand; tests/app/device_command_test.cpp checks the simulated one"},
+    {"class", "it serves until it is stopped; tests/classroom/class_server_test.cpp runs it"},
     {"imd ", "it opens the window and wants a server; tests/app/imd_window_test.cpp has one"},
     {"simulate", "it wants OpenMM and files of one's own; the package's trial runs it"},
     {"device record omni", "it wants that device"},

@@ -69,6 +69,7 @@ void recording(std::string_view), recordingState(std::string_view), handPath(std
 void hipPath(std::string_view), gltf(std::string_view), catalogue(std::string_view), settings(std::string_view);
 void translations(std::string_view), reportStream(std::string_view);
 void pack(std::string_view), bodyPath(std::string_view), imd(std::string_view);
+void classRequests(std::string_view bytes);
 void simulationMessage(std::string_view), modes(std::string_view);
 
 }  // namespace moltact::fuzz

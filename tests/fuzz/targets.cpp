@@ -39,6 +39,7 @@ constexpr Target kTargets[] = {
     {"settings", settings},
     {"translations", translations},
     {"pack", pack},
+    {"class-requests", classRequests},
     {"report-stream", reportStream},
     {"body-path", bodyPath},
     {"imd", imd},

@@ -26,6 +26,7 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/class_hold.h"
 #include "engine/lesson/reader.h"
 #include "engine/pack/pack_file.h"
 #include "engine/platform/storage_web.h"
@@ -297,6 +298,20 @@ EMSCRIPTEN_KEEPALIVE void moltact_platform_news(int what) {
                  tr("The learning platform did not answer when this page began, so it is told nothing. Close the page "
                     "and begin the lesson again from the platform."),
                  {});
+}
+
+// The page belongs to a student of a live class (app/web/classroom.js), whose name is known.
+EMSCRIPTEN_KEEPALIVE void moltact_class_begin(const char* name) {
+  moltact::learnerKnownFlag() = true;
+  page->app.extensions().recorder.passTo(name);
+}
+
+// The class waits at this step of a lesson, from 0; -1: it goes on. `lesson`: its file's name without ending and language.
+EMSCRIPTEN_KEEPALIVE void moltact_class_hold(const char* lesson, int step) {
+  if (step < 0)
+    moltact::classHolds().erase(lesson);
+  else
+    moltact::classHolds()[lesson] = std::size_t(step);
 }
 
 // The page loses the focus or is hidden.

@@ -75,7 +75,11 @@ void drawFoot(Application& app, const LessonSession& session) {
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
   const bool last = app.lesson.atLastStep(), waits = !last && !session.mayGoOn();
-  const char* label = waits ? tr("Finish this step first") : last ? tr("To the end") : tr("Next");
+  const bool held = waits && session.heldByClass();
+  const char* label = held    ? tr("Your class waits here")
+                      : waits ? tr("Finish this step first")
+                      : last  ? tr("To the end")
+                              : tr("Next");
   const ButtonLook kind = session.stepDone() || session.leadsTo() ? ButtonLook::Primary : ButtonLook::Plain;
   if (button("lesson/next", label, waits ? ButtonLook::Plain : kind, width - back_w - gap, !waits)) app.lesson.next();
 }

@@ -1,0 +1,30 @@
+// The pages of a live class for the teacher and the projector: HTML with every name escaped, a style sheet and a script of
+// its own. Pure functions; any thread but the haptic one.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/classroom/class_view.h"
+
+namespace moltact {
+
+struct TeacherPageFacts {
+  std::string address;  ///< for students
+  bool shared = false;  ///< other computers reach it
+};
+
+/// The page for the projector: the students' address, large and as a QR code, how many students are here, and the plot that
+/// the teacher shows. It has no name and no secret of the teacher, and loads itself again every 5 s.
+std::string boardPage(const TeacherPageFacts& facts, const BoardView& board);
+
+std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts);
+/// The parts that change, by the id of their element.
+std::vector<std::pair<std::string, std::string>> teacherParts(const ClassView& view);
+std::string teacherStyle();
+std::string teacherScript();
+
+}  // namespace moltact
