@@ -16,11 +16,8 @@
   X(Simulate)               \
   X(Modes)                  \
   X(Report)                 \
-<<<<<<< HEAD
   X(Study)                  \
-=======
   X(Class)                  \
->>>>>>> main
   X(Bench)                  \
   X(Devices)                \
   X(Device)                 \

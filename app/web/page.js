@@ -579,12 +579,8 @@
     });
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
-<<<<<<< HEAD
-    await joinPlatform();
-    await joinStudy();
-=======
     await Promise.all([joinPlatform(), joining]);
->>>>>>> main
+    await joinStudy();
     await Promise.all([keeper.load(made.FS), hid.begin()]);
     document.documentElement.lang = spoken;
     if (made.callMain([]) !== 0)

@@ -121,8 +121,8 @@ std::vector<KeySpec> frontMatterKeys() {
        .words = {"yes", "no"}},
       {.name = "condition",
        .type = ValueType::Word,
-       .meaning = "For studies: what the student gets. `look` leaves out touch and the touch tasks, and `blind` the "
-                  "picture of the molecule. `moltact study` writes it into the pages of the groups.",
+       .meaning = "For studies: `look` leaves out touch and the touch tasks, `blind` the picture of the molecule. "
+                  "`moltact study` writes it into the pages of the groups.",
        .fallback = "touch",
        .words = {"touch", "look", "blind"}},
       {.name = "study",

@@ -260,12 +260,12 @@ struct Step {
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
   std::vector<FactsSpec> facts;
-  SceneSpec scene;                 ///< the scene during this step
-  bool states_scene = false;       ///< false: the scene of the previous step continues
-  bool required = false;           ///< must be finished before the next step
-  std::vector<std::size_t> goals;  ///< goals of its tasks and questions that name none themselves
+  SceneSpec scene;                    ///< the scene during this step
+  bool states_scene = false;          ///< false: the scene of the previous step continues
+  bool required = false;              ///< must be finished before the next step
+  std::vector<std::size_t> goals;     ///< goals of its tasks and questions that name none themselves
   std::vector<Condition> conditions;  ///< the only conditions with this step; empty: all
-  Place place, block_place;        ///< of its heading, and of its step block (line 0: none)
+  Place place, block_place;           ///< of its heading, and of its step block (line 0: none)
 };
 
 /// A word that the lesson explains.

@@ -410,7 +410,8 @@ void LessonSession::restore(const SessionMemory& memory) {
       for (std::size_t q = 0; q < questions.size(); ++q) {
         if (questions[q].id != id) continue;
         s.questions[q] = status;
-        if (questions[q].prediction || questions[q].free() || lesson_->test) s.questions[q].answered_right = status.attempts > 0;
+        if (questions[q].prediction || questions[q].free() || lesson_->test)
+          s.questions[q].answered_right = status.attempts > 0;
         std::erase_if(s.questions[q].chosen, [&](std::size_t c) { return c >= questions[q].choices.size(); });
         const int limit = questions[q].attempts;
         s.questions[q].shown = limit > 0 && !s.questions[q].answered_right && s.questions[q].attempts >= limit;
