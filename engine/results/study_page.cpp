@@ -37,7 +37,7 @@ std::string orDash(const std::optional<double>& value, int digits) { return valu
 
 std::string meanAndSd(const Spread& s, int digits) {
   if (s.n == 0) return "–";
-  return number(s.mean, digits) + (s.n > 1 ? " ± " + number(s.sd, digits) : "");
+  return number(s.mean, digits) + (s.n > 1 ? "\u00a0±\u00a0" + number(s.sd, digits) : "");
 }
 
 std::string sectionHead(const char* title) { return std::string("<h2>") + title + "</h2>"; }
