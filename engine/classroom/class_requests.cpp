@@ -118,6 +118,7 @@ Expected<std::unique_ptr<ClassRequests>> ClassRequests::make(ClassSite site, Cla
   out->page_tag_ = '"' + contentHash(page) + '"';
   out->page_ = std::make_shared<const std::string>(std::move(page));
   out->student_rates_.resize(out->room_.students().size());
+  if (out->room_.shown()) out->board_plot_ = boardPlotOf(out->room_, *out->room_.shown());
   return out;
 }
 
@@ -189,7 +190,7 @@ ClassReply ClassRequests::studentAnswer(std::string_view path, const ClassReques
     // Everyone who has the code may ask for it at any rate, so that it is made once in a second.
     const std::lock_guard held(lock_);
     if (board_.empty() || request.now_s - board_at_s_ >= kBoardFor_s) {
-      board_ = boardPage({site_.address, site_.shared}, boardOf(room_, request.now_s));
+      board_ = boardPage({site_.address, site_.shared}, studentsHere(room_, request.now_s), board_plot_);
       board_at_s_ = request.now_s;
     }
     return htmlReply(board_, kReportPolicy);
@@ -296,6 +297,18 @@ ClassReply ClassRequests::teacherAnswer(std::string_view path, const ClassReques
   return out;
 }
 
+std::string ClassRequests::show(const ShownPlot& plot) {
+  BoardPlot shown = boardPlotOf(room_, plot);
+  std::string record = shown.empty() ? std::string() : room_.show(plot);
+  if (!record.empty()) board_plot_ = std::move(shown);
+  return record;
+}
+
+std::string ClassRequests::hide() {
+  board_plot_ = {};
+  return room_.hide();
+}
+
 ClassReply ClassRequests::steer(const ClassRequest& request) {
   const RequestJson body = objectOf(request.body);
   const std::string act = textOf(body, "do").value_or(""), lesson = textOf(body, "lesson").value_or("");
@@ -308,9 +321,9 @@ ClassReply ClassRequests::steer(const ClassRequest& request) {
     else if (act == "open")
       record = room_.open(lesson);
     else if (act == "show")
-      record = room_.show(shownPlot(body, lesson));
+      record = show(shownPlot(body, lesson));
     else if (act == "hide")
-      record = room_.hide();
+      record = hide();
     else if (act == "end")
       record = room_.end();
     if (record.empty()) return plainReply(400, tr("The request cannot be read."));

@@ -19,6 +19,7 @@
 
 #include "engine/classroom/class_room.h"
 #include "engine/classroom/class_store.h"
+#include "engine/classroom/class_view.h"
 #include "engine/classroom/rate_limit.h"
 
 namespace moltact {
@@ -87,6 +88,8 @@ class ClassRequests {
   ClassReply join(const ClassRequest& request);
   ClassReply takeLines(const ClassRequest& request);
   ClassReply steer(const ClassRequest& request);
+  std::string show(const ShownPlot& plot);
+  std::string hide();
 
   ClassSite site_;
   ClassStore& store_;
@@ -96,6 +99,9 @@ class ClassRequests {
   RateByAddress joins_{{double(kMaxStudents), 1.0}}, guesses_{{20.0, 0.2}};
   std::shared_ptr<const std::string> page_;
   std::string page_tag_;
+  // As it was when the teacher showed it, or when the server began: otherwise the room would see the prediction of each
+  // student who is late.
+  BoardPlot board_plot_;
   std::string board_;  // the projector's page, made at board_at_s_
   double board_at_s_ = 0.0;
 };

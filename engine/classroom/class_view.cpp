@@ -231,20 +231,24 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
   return out;
 }
 
-BoardView boardOf(const ClassRoom& room, double now_s) {
-  BoardView out;
-  for (const LiveStudent& student : room.students()) out.here += now_s - student.seen_s <= kAwayAfter_s;
-  if (!room.shown()) return out;
-  const ShownPlot& shown = *room.shown();
+std::size_t studentsHere(const ClassRoom& room, double now_s) {
+  std::size_t out = 0;
+  for (const LiveStudent& student : room.students()) out += now_s - student.seen_s <= kAwayAfter_s;
+  return out;
+}
+
+BoardPlot boardPlotOf(const ClassRoom& room, const ShownPlot& shown) {
+  BoardPlot out;
   for (const LessonAttempts& group : byLesson(room)) {
-    if (group.id != shown.lesson) continue;
-    if (shown.curve) {
-      out.curve = curvePlot(group, shown.step, shown.number);
-      if (out.curve->curves.size() < kShownFrom) out.curve.reset();
-    } else {
-      out.prediction = predictionPlot(group, shown.step, shown.number);
-      out.prediction->written.clear();
-      if (out.prediction->students < kShownFrom) out.prediction.reset();
+    if (group.id != shown.lesson || shown.step >= group.lesson.steps.size()) continue;
+    const StepOutline& step = group.lesson.steps[shown.step];
+    if (shown.curve && shown.number < step.tasks.size()) {
+      CurvePlot plot = curvePlot(group, shown.step, shown.number);
+      if (plot.curves.size() >= kShownFrom) out.curve = std::move(plot);
+    } else if (!shown.curve && shown.number < step.questions.size()) {
+      PredictionPlot plot = predictionPlot(group, shown.step, shown.number);
+      plot.written.clear();
+      if (plot.students >= kShownFrom) out.prediction = std::move(plot);
     }
   }
   return out;

@@ -83,14 +83,16 @@ struct ClassView {
 
 ClassView viewOf(const ClassRoom& room, double now_s);
 
-/// What the room sees: how many are here, and the plot that the teacher shows, if kShownFrom students have predicted. It has
-/// no name and nothing that a student typed.
-struct BoardView {
-  std::size_t here = 0;
+std::size_t studentsHere(const ClassRoom& room, double now_s);
+
+/// A plot for the room, of a question or of a task: no name and nothing that a student typed. Neither, if fewer than
+/// kShownFrom students have predicted or there is no such question or task.
+struct BoardPlot {
   std::optional<PredictionPlot> prediction;
   std::optional<CurvePlot> curve;
+  bool empty() const { return !prediction && !curve; }
 };
 
-BoardView boardOf(const ClassRoom& room, double now_s);
+BoardPlot boardPlotOf(const ClassRoom& room, const ShownPlot& shown);
 
 }  // namespace moltact

@@ -229,7 +229,7 @@ std::vector<std::pair<std::string, std::string>> teacherParts(const ClassView& v
           {"answers", answersPart(view)}};
 }
 
-std::string boardPage(const TeacherPageFacts& facts, const BoardView& board) {
+std::string boardPage(const TeacherPageFacts& facts, std::size_t here, const BoardPlot& board) {
   std::string plot;
   if (board.prediction)
     plot = "<h1>" + escaped(board.prediction->question) + "</h1><p class=\"quiet\">" +
@@ -246,8 +246,8 @@ std::string boardPage(const TeacherPageFacts& facts, const BoardView& board) {
                     "initial-scale=1\"><meta http-equiv=\"refresh\" content=\"5\"><title>" +
                     tr("Live class") + "</title><style>" + teacherStyle() + "</style></head><body class=\"board" +
                     (plot.empty() ? "" : " plot") + "\"><main>" + plot + "<section><div><p>" + tr("Open this address") +
-                    "</p><p class=\"big\">" + escaped(facts.address) + "</p><p>" + std::to_string(board.here) + " " +
-                    trn("student here", "students here", board.here) + "</p></div>";
+                    "</p><p class=\"big\">" + escaped(facts.address) + "</p><p>" + std::to_string(here) + " " +
+                    trn("student here", "students here", here) + "</p></div>";
   if (facts.shared)
     out += qrSvg(qrCode(facts.address), facts.address);
   else

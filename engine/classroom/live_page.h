@@ -19,7 +19,7 @@ struct TeacherPageFacts {
 
 /// The page for the projector: the students' address, large and as a QR code, how many students are here, and the plot that
 /// the teacher shows. It has no name and no secret of the teacher, and loads itself again every 5 s.
-std::string boardPage(const TeacherPageFacts& facts, const BoardView& board);
+std::string boardPage(const TeacherPageFacts& facts, std::size_t here, const BoardPlot& board);
 
 std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts);
 /// The parts that change, by the id of their element.
