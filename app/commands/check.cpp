@@ -19,6 +19,7 @@
 #include "engine/lesson/minutes.h"
 #include "engine/lesson/scripted_learner/scripted_learner.h"
 #include "engine/lesson/source_text.h"
+#include "engine/lesson/teachers_kit.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -37,6 +38,7 @@ struct Checked {
   std::vector<Problem> errors, warnings;
   bool words = false;                        ///< a glossary, not a lesson
   std::optional<ShownMinutes> minutes = {};  ///< of a valid lesson
+  std::vector<Problem> notes = {};           ///< what the teacher's kit of a valid lesson lacks
 };
 
 // Runs the scripted learner through the lesson and reports the touch tasks that it cannot solve.
@@ -69,6 +71,7 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
     check.errors = checkFacts(*check.lesson, [&](const NamedMolecule& named) { return molecules.find(file, named); });
   if (play && check.lesson && check.errors.empty()) playLesson(file, *check.lesson, molecules, check.errors);
   if (check.lesson) out.minutes = shownMinutes(*check.lesson);
+  if (check.lesson && check.errors.empty()) out.notes = kitLacks(*check.lesson, kitOf(file));
   out.errors = std::move(check.errors);
   out.warnings = std::move(check.warnings);
   return out;
@@ -117,6 +120,7 @@ void checkPack(const std::string& path, LessonMolecules& molecules, bool play, s
   for (const fs::path& file : lessonsIn(argument->pack()->folder()).lessons) {
     Checked checked = checkFile(file, molecules, play);
     checked.file = argument->shown(checked.file);
+    checked.notes.clear();  // packs contain no kits
     for (std::vector<Problem>* problems : {&checked.errors, &checked.warnings})
       for (Problem& p : *problems) p = argument->shown(std::move(p));
     all.push_back(std::move(checked));
@@ -150,6 +154,9 @@ void printText(const Checked& checked) {
           << '\n';
     if (p.line) out() << Lines{sourceExcerpt(source.line(p.line), p.column)};
   }
+  for (const Problem& p : checked.notes)
+    out() << p.file << (p.line ? ":" + std::to_string(p.line) + ":" + std::to_string(p.column) : "") << ": "
+          << trc("severity", NC_("severity", "note")) << ": " << p.message << "; " << p.remedy << '\n';
   if (const auto& minutes = checked.minutes)
     out() << trf("{0}: {1} min for the core, {2} min with all steps", checked.file, minutes->core, minutes->all)
           << '\n';
@@ -182,7 +189,7 @@ void run(const CheckArguments& arguments) {
     if (!fs::is_directory(path, error)) {
       if (isGlossaryFile(path) && fs::exists(path, error))
         glossaries.push_back(path);
-      else if (isReadme(path))
+      else if (isReadme(path) || isKitFile(path))
         passed_over.push_back(path);
       else
         all.push_back(checkFile(path, molecules, arguments.play));
@@ -192,7 +199,7 @@ void run(const CheckArguments& arguments) {
     if (folder.fault) all.push_back({path, {}, {*std::move(folder.fault)}, {}, false});
     for (const fs::path& file : folder.lessons) all.push_back(checkFile(file, molecules, arguments.play));
     for (const fs::path& file : folder.others)
-      if (!isGlossaryFile(file)) passed_over.push_back(file);
+      if (!isGlossaryFile(file) && !isKitFile(file)) passed_over.push_back(file);
   }
   checkGlossaries(all, std::move(glossaries));
 
@@ -207,11 +214,15 @@ void run(const CheckArguments& arguments) {
                                        {"lessons", lessons},
                                        {"errors", errors},
                                        {"warnings", warnings},
-                                       {"minutes", nlohmann::ordered_json::array()}};
+                                       {"minutes", nlohmann::ordered_json::array()},
+                                       {"notes", nlohmann::ordered_json::array()}};
     for (const Checked& c : all) {
       for (auto& problem : jsonOf(c)) document["problems"].push_back(std::move(problem));
       if (c.minutes)
         document["minutes"].push_back({{"file", c.file}, {"core", c.minutes->core}, {"all", c.minutes->all}});
+      for (const Problem& p : c.notes)
+        document["notes"].push_back(
+            {{"file", p.file}, {"line", p.line}, {"column", p.column}, {"message", p.message}, {"remedy", p.remedy}});
     }
     printDocument(document);
   } else {

@@ -18,6 +18,7 @@
   X(Report)                 \
   X(Study)                  \
   X(Class)                  \
+  X(Kit)                    \
   X(Bench)                  \
   X(Devices)                \
   X(Device)                 \

@@ -92,11 +92,13 @@ double taskTime_s(const TaskSpec& task) {
   return kind->time.base_s + kind->time.each_s * count + stays * task.values["for"].number;
 }
 
+double minutesOf(const Step& step) { return stepTime_s(step) / 60.0; }
+
 LessonMinutes minutesOf(const Lesson& lesson) {
   LessonMinutes out;
   out.core = out.all = reading_s(wordsIn(lesson.introduction)) / 60.0;
   for (const Step& step : lesson.steps) {
-    const double minutes = stepTime_s(step) / 60.0;
+    const double minutes = minutesOf(step);
     out.all += minutes;
     if (!step.aside) out.core += minutes;
   }

@@ -16,6 +16,9 @@ inline constexpr double kMinutesOff = 0.2;
 /// The duration of one task, including the time that the hand must stay.
 double taskTime_s(const TaskSpec& task);
 
+/// The minutes of one step: reading, tasks and questions.
+double minutesOf(const Step& step);
+
 struct LessonMinutes {
   double core = 0.0, all = 0.0;
 };

@@ -69,9 +69,13 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
   const Run run = runMoltact(folder.path, "check .");
   CHECK(run.status == 0);
   CHECK(run.out ==
+        "./a.md: note: the lesson has no teacher's kit; write what only you can know into ./kits/a.md; "
+        "docs/teachers-kit.md tells how\n"
         "./a.md: 1 min for the core, 1 min with all steps\n"
         "./b.md:14:4: warning: 'scenes' is not a block of a lesson and is shown unchanged; did you mean "
         "'scene'?\n```scenes\n   ^\n"
+        "./b.md: note: the lesson has no teacher's kit; write what only you can know into ./kits/b.md; "
+        "docs/teachers-kit.md tells how\n"
         "./b.md: 1 min for the core, 1 min with all steps\n"
         "./README.md: no lesson, passed over\n2 lessons checked: no errors, 1 warning\n");
 }
@@ -87,6 +91,8 @@ TEST_CASE(
   const Run run = runMoltact(folder.path, "check *.md");
   CHECK(run.status == 0);
   CHECK(run.out ==
+        "a.md: note: the lesson has no teacher's kit; write what only you can know into kits/a.md; "
+        "docs/teachers-kit.md tells how\n"
         "a.md: 1 min for the core, 1 min with all steps\n"
         "README.md: no lesson, passed over\n1 lesson checked: no errors\n");
   CHECK(runMoltact(folder.path, "check glossary.md").out == "0 lessons checked: no errors\n");
@@ -154,6 +160,8 @@ TEST_CASE("a new lesson is written once, passes the check, and is not overwritte
   CHECK(made.status == 0);
   CHECK(made.out.starts_with("mine/haem-pockets.md is written."));
   CHECK(runMoltact(folder.path, "check mine").out ==
+        "mine/haem-pockets.md: note: the lesson has no teacher's kit; write what only you can know into "
+        "mine/kits/haem-pockets.md; docs/teachers-kit.md tells how\n"
         "mine/haem-pockets.md: 2 min for the core, 2 min with all steps\n1 lesson checked: no errors\n");
   folder.write("mine/haem-pockets.md", "my work");
   const Run again = runMoltact(folder.path, "new-lesson haem-pockets --folder mine");
@@ -162,4 +170,25 @@ TEST_CASE("a new lesson is written once, passes the check, and is not overwritte
   CHECK(fs::file_size(folder.path / "mine/haem-pockets.md") == 7);
   CHECK(runMoltact(folder.path, "new-lesson ../x").status == 1);
   CHECK(runMoltact(folder.path, "new-lesson '?'").status == 1);
+}
+
+TEST_CASE("what a teacher's kit lacks is a note with its line, counts as no error, and stands in --json") {
+  const Folder folder;
+  folder.write("a.md", kGood);
+  fs::create_directories(folder.path / "kits");
+  folder.write("kits/a.md",
+               "## Prior knowledge\n- A\n## What touch shows\n- B\n## Limits of the model\n- C\n## What to ask\n"
+               "- [One](../a.md#one): Why? *So.*\n## Exit ticket\n### Question: Q?\n- [x] a\n- [ ] b\n");
+  const Run run = runMoltact(folder.path, "check .");
+  CHECK(run.status == 0);
+  CHECK(run.out ==
+        "./kits/a.md: note: the exit ticket has 1 question; write three below '## Exit ticket'\n"
+        "./kits/a.md:12:7: note: this choice does not say which misconception it stands for; write → after it, and the "
+        "misconception\n"
+        "./a.md: 1 min for the core, 1 min with all steps\n1 lesson checked: no errors\n");
+  const auto json = nlohmann::json::parse(runMoltact(folder.path, "check . --json").out);
+  CHECK(json["errors"] == 0);
+  CHECK(json["problems"].empty());
+  REQUIRE(json["notes"].size() == 2);
+  CHECK(json["notes"][1]["line"] == 12);
 }

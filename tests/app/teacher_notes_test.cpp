@@ -122,4 +122,31 @@ TEST_CASE("the newcomer's lesson has notes for the teacher, none of which is see
   CHECK(notes().empty());
 }
 
+TEST_CASE(
+    "the teacher's kit of the open lesson is written into the chosen folder; it is offered in a lesson only, and not "
+    "during turns or while a student is asked for a name") {
+  Opened o("Text.\n\n" + kNote);
+  ScriptedUser& d = *o.driver;
+  const Action& kit = *findAction("teachers-kit");
+  REQUIRE(enabled(kit, d.app()));
+  const std::filesystem::path folder = o.scratch.path / "attempts", page = folder / "notes.kit.html";
+  std::filesystem::create_directories(folder);
+  kit.run(d.app());
+  d.frames(5);
+  CHECK(d.click("file/choose"));
+  d.frames(5);
+  REQUIRE(std::filesystem::exists(page));
+  CHECK(std::filesystem::file_size(page) > 4000);
+  d.app().extensions().turns.begin({"Ana", "Bo"}, 60.0);
+  CHECK_FALSE(enabled(kit, d.app()));
+  d.app().extensions().turns.end();
+  CHECK(enabled(kit, d.app()));
+  d.app().extensions().name_asker.ask(false);
+  CHECK_FALSE(enabled(kit, d.app()));
+  d.app().extensions().name_asker.give("Ana");
+  CHECK(enabled(kit, d.app()));
+  d.app().panels.pages.welcome = true;
+  CHECK_FALSE(enabled(kit, d.app()));
+}
+
 }  // namespace moltact

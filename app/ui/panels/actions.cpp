@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
+#include "app/ui/panels/lesson/print_kit.h"
 #include "app/ui/panels/side_panel.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/key_focus.h"
@@ -29,6 +30,10 @@ bool inLesson(const App& a) { return a.lesson.session() && !a.panels.pages.welco
 bool mayTeacherNotes(const App& a) {
   return inLesson(a) && !a.extensions().turns.on() && !a.extensions().name_asker.asking() &&
          hasTeacherNotes(a.lesson.session()->lesson());
+}
+// The kit has the answers, so it is not offered in the browser edition, which students have, or during turns.
+bool mayTeachersKit(const App& a) {
+  return inLesson(a) && !filesAreHandedOver() && !a.extensions().turns.on() && !a.extensions().name_asker.asking();
 }
 bool atWork(const App& a) { return !a.panels.pages.welcome; }
 // If a lesson locks its panels, a narrow window can still switch between the two panels.
@@ -396,6 +401,12 @@ constexpr std::array kActions{
            .run = [](App& a) { a.panels.lesson_memory.teacher_notes = !a.panels.lesson_memory.teacher_notes; },
            .enabled = mayTeacherNotes,
            .on = [](const App& a) { return a.panels.lesson_memory.teacher_notes; }},
+    Action{.name = "teachers-kit",
+           .menu = Menu::Lesson,
+           .label = N_("Teacher's kit …"),
+           .sentence = N_("Teacher's page, worksheet and exit ticket of this lesson, as a page for printing"),
+           .run = [](App& a) { writeTeachersKit(a); },
+           .enabled = mayTeachersKit},
     Action{.name = "report",
            .menu = Menu::Lesson,
            .label = N_("Report on a class …"),
