@@ -72,7 +72,7 @@ void resolveGoalsAndRules(Reading& reading, Lesson& lesson);
 void applyCondition(Reading& reading, Lesson& lesson);
 
 /// Reads the task list of a question. The choices of a `test` need no feedback.
-std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list, bool test);
+std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list, bool test = false);
 
 /// Adds problems for a question without choices or answer, or without a right one.
 void checkQuestion(Reading& reading, const Question& question);
