@@ -17,6 +17,7 @@
   X(Modes)                  \
   X(Report)                 \
   X(Forget)                 \
+  X(Study)                  \
   X(Class)                  \
   X(Kit)                    \
   X(Bench)                  \

@@ -12,6 +12,8 @@
 #include "engine/results/class_csv.h"
 #include "engine/results/class_files.h"
 #include "engine/results/class_page.h"
+#include "engine/results/study_csv.h"
+#include "engine/results/study_page.h"
 
 namespace moltact {
 namespace {
@@ -19,7 +21,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> results;
   std::string csv, html, gradebook, code_word;
-  bool anonymous = false, typed_texts = false;
+  bool anonymous = false, typed_texts = false, study = false;
 
   NamesShown names() const {
     return {.anonymous = anonymous || !code_word.empty(), .typed_texts = typed_texts, .code_word = code_word};
@@ -42,8 +44,38 @@ void write(const std::string& file, const std::string& bytes) {
   if (const auto problem = writeWhole(file, bytes)) throw CommandError{problem->text()};
 }
 
+std::string nowText() {
+  const std::string now = utcText(std::chrono::system_clock::now());
+  return now.substr(0, 10) + " " + now.substr(11, 5) + " UTC";
+}
+
+// The results of a study, with the codebook beside its table.
+void reportStudy(const Arguments& arguments, const std::vector<std::filesystem::path>& named) {
+  StudyCount count(arguments.anonymous);
+  const std::vector<Problem> passed_over = forEachAttempt(named, [&](const Attempt& attempt) { count.add(attempt); });
+  for (const Problem& p : passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
+  const Expected<StudyData> study = count.finish();
+  if (!study) throw CommandError{study.problem().text()};
+  std::filesystem::path codebook = arguments.csv;
+  codebook.replace_extension("codebook.csv");
+  std::vector<NamedOutput> outputs{{"--html", arguments.html}, {"--csv", arguments.csv}};
+  if (!arguments.csv.empty()) outputs.push_back({"--csv", codebook.string()});
+  checkOutputs(outputs);
+  if (!arguments.csv.empty()) {
+    write(arguments.csv, studyCsv(*study));
+    write(codebook.string(), studyCodebook());
+  }
+  if (!arguments.html.empty())
+    write(arguments.html,
+          studyPage(*study, arguments.anonymous ? withoutFileNames(passed_over) : passed_over, nowText()));
+  out() << trf("{0}: {1} students in {2} groups, {3} attempts", study->name, study->students.size(),
+               study->groups.size(), study->attempts)
+        << '\n';
+}
+
 void run(const Arguments& arguments) {
   const std::vector<std::filesystem::path> named(arguments.results.begin(), arguments.results.end());
+  if (arguments.study) return reportStudy(arguments, named);
   const NamesShown names = arguments.names();
   const ClassReading reading = readClass(named, names);
   for (const Problem& p : reading.passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
@@ -52,12 +84,9 @@ void run(const Arguments& arguments) {
   checkOutputs({{"--csv", arguments.csv}, {"--html", arguments.html}, {"--gradebook", arguments.gradebook}});
   if (!arguments.gradebook.empty()) write(arguments.gradebook, gradebookCsv(summary));
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
-  if (!arguments.html.empty()) {
-    const std::string now = utcText(std::chrono::system_clock::now());
+  if (!arguments.html.empty())
     write(arguments.html,
-          classPage(summary, names.anonymous ? withoutFileNames(reading.passed_over) : reading.passed_over,
-                    now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
-  }
+          classPage(summary, names.anonymous ? withoutFileNames(reading.passed_over) : reading.passed_over, nowText()));
   out() << summaryText(summary) << '\n';
 }
 
@@ -78,11 +107,11 @@ void addReport(CLI::App& app) {
       ->add_option("--html", arguments->html,
                    "Write the page to this file: charts, light, dark and print, works offline")
       ->type_name(kFileType);
-  command
-      ->add_option(
-          "--gradebook", arguments->gradebook,
-          "Write marks for a learning platform to this file: a row for each named student, a column for each lesson")
-      ->type_name(kFileType);
+  CLI::Option* gradebook = command
+                               ->add_option("--gradebook", arguments->gradebook,
+                                            "Write marks for a learning platform to this file: a row for each named "
+                                            "student, a column for each lesson")
+                               ->type_name(kFileType);
   CLI::Option* anonymous =
       command->add_flag("--anonymous", arguments->anonymous,
                         "Replace names by S01, S02 ..., leave out typed texts but right answers and numbers, and give "
@@ -92,8 +121,16 @@ void addReport(CLI::App& app) {
           ->add_option("--code-word", arguments->code_word,
                        "The same, with codes computed from the name and WORD, the same in every report with that WORD")
           ->type_name("WORD");
-  command->add_flag("--typed-texts", arguments->typed_texts,
-                    "With --anonymous or --code-word: keep typed texts, with the names of the class replaced");
+  CLI::Option* typed_texts =
+      command->add_flag("--typed-texts", arguments->typed_texts,
+                        "With --anonymous or --code-word: keep typed texts, with the names of the class replaced");
+  command
+      ->add_flag("--study", arguments->study,
+                 "Report on a study (moltact study): gains, effect sizes and the tests' questions; --csv is then a row "
+                 "for each student and question, with a codebook beside it")
+      ->excludes(gradebook)
+      ->excludes(code_word)
+      ->excludes(typed_texts);
   command->callback([arguments, anonymous, code_word] {
     if (arguments->typed_texts && anonymous->count() == 0 && code_word->count() == 0)
       throw CLI::ValidationError("--typed-texts", "give it with --anonymous or --code-word");

@@ -309,7 +309,7 @@
   function hearKeys() {
     // The canvas, and the field for on-screen keyboards.
     addEventListener("keydown", (event) => {
-      if (event.target instanceof HTMLButtonElement || byId("ask").open || kBrowsers.has(event.code)) return;
+      if (event.target instanceof HTMLButtonElement || byId("ask").open || byId("code-form").open || kBrowsers.has(event.code)) return;
       stir();
       const command = event.ctrlKey || event.metaKey;
       if (command && event.key.toLowerCase() === "a" && !(state & 2)) {
@@ -369,12 +369,44 @@
     open(last);
   }
 
+  // A page of a study that assigns by a draw (moltact study): the code decides which of its packs the student gets. Each
+  // code has a storage of its own, so that no student of a shared computer finds the lessons of another group.
+  let code = "";
+  async function joinStudy() {
+    const draw = byId("study-draw");
+    if (!draw) return;
+    const study = JSON.parse(draw.textContent), key = "moltact/study/" + study.study;
+    const group = (text) => Object.hasOwn(study.codes, text) ? study.codes[text] : null;
+    try { code = sessionStorage.getItem(key) || ""; } catch { /* blocked */ }
+    if (!group(code)) {
+      said.hidden = true;
+      const form = byId("code-form"), field = form.querySelector("input");
+      form.querySelector("p").textContent = sentence("your code");
+      form.querySelector("button").textContent = sentence("begin");
+      form.showModal();
+      code = await new Promise((done) => {
+        form.oncancel = (event) => event.preventDefault();
+        form.querySelector("form").onsubmit = (event) => {
+          event.preventDefault();
+          const given = field.value.trim().toUpperCase();
+          if (group(given)) done(given);
+          else form.querySelector("p").textContent = sentence("no such code", given);
+        };
+      });
+      form.close();
+      try { sessionStorage.setItem(key, code); } catch { /* blocked */ }
+    }
+    byId("pack-bytes-" + group(code)).id = "pack-bytes";
+    keeper.last = "moltact/last/" + (keeper.name = `moltact study ${study.study} ${code}`);
+  }
+
   // A lesson embedded in the page (moltact pack --html).
   async function takeAlong() {
     const along = byId("pack-bytes");
     if (!along) return false;
     const file = kPassing + along.dataset.name;
     put(program.FS, file, await unpacked("pack-bytes", false));
+    if (code) program.ccall("moltact_code", null, ["string"], [code]);
     if (platform.link) openInPlatform(file);
     else open(file);
     return true;
@@ -548,6 +580,7 @@
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
     await Promise.all([joinPlatform(), joining]);
+    await joinStudy();
     await Promise.all([keeper.load(made.FS), hid.begin()]);
     document.documentElement.lang = spoken;
     if (made.callMain([]) !== 0)

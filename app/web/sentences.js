@@ -9,6 +9,9 @@ const kPageSentences = {
     "stopped": "Moltact has stopped: {0}",
     "no WebGL": "This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
     "not started": "Moltact could not start: {0}",
+    "your code": "Type the code that you were given.",
+    "no such code": "{0} is not one of the codes of this study. Look at it again, letter by letter.",
+    "begin": "Begin",
   },
   de: {
     "fetch": "Laden",
@@ -18,6 +21,9 @@ const kPageSentences = {
     "stopped": "Moltact wurde beendet: {0}",
     "no WebGL": "Dieser Browser bietet kein WebGL 2, mit dem Moltact zeichnet. Ein anderer oder neuere Treiber vielleicht.",
     "not started": "Moltact konnte nicht starten: {0}",
+    "your code": "Gib den Code ein, den du bekommen hast.",
+    "no such code": "{0} ist keiner der Codes dieser Studie. Sieh ihn noch einmal Zeichen für Zeichen an.",
+    "begin": "Beginnen",
   },
 };
 

@@ -338,6 +338,15 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.molecule_places = values["molecules"].places;
   lesson.locked = values["locked"].words;
   lesson.ask = values["ask"].text;
+  lesson.test = values["test"].text == "yes";
+  if (const auto condition = conditionNamed(values["condition"].text)) lesson.condition = *condition;
+  if (const Value& study = values["study"]; !study.words.empty()) {
+    if (study.words.size() < 2 || study.words.size() > 3)
+      reading.error(study.place, tr("'study' needs a name, a part and a group"),
+                    tr("take the line out; 'moltact study' writes it"));
+    else
+      lesson.study = {study.words[0], study.words[1], study.words.size() > 2 ? study.words[2] : ""};
+  }
   // A goal is a sentence and may contain commas; only "- " lines separate goals.
   if (!values["goals"].text.empty()) lesson.goals = {values["goals"].text};
   return end < source.lineCount() ? source.lineStart(end + 1) : source.bytes().size();

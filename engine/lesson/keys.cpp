@@ -113,6 +113,22 @@ std::vector<KeySpec> frontMatterKeys() {
        .meaning = "What the program asks for when the lesson is opened, unless the student skips it: a name, or a code "
                   "that you have given. Attempts store it, and the report lists students by it.",
        .words = {"name", "code"}},
+      {.name = "test",
+       .type = ValueType::Word,
+       .meaning = "Whether the lesson is a test: answers get no verdict and no feedback, may be changed, and the last "
+                  "one counts.",
+       .fallback = "no",
+       .words = {"yes", "no"}},
+      {.name = "condition",
+       .type = ValueType::Word,
+       .meaning = "For studies: `look` leaves out touch and the touch tasks, `blind` the picture of the molecule. "
+                  "`moltact study` writes it into the pages of the groups.",
+       .fallback = "touch",
+       .words = {"touch", "look", "blind"}},
+      {.name = "study",
+       .type = ValueType::TextList,
+       .meaning = "The study's name, the part and the group to which the lesson belongs. `moltact study` writes it, "
+                  "and attempts store it."},
   };
 }
 
@@ -140,6 +156,11 @@ std::vector<KeySpec> stepKeys() {
                       "the lesson offer the step.",
            .fallback = "no",
            .words = {"yes", "no"}},
+          {.name = "condition",
+           .type = ValueType::WordList,
+           .meaning = "For studies: the conditions of the front matter that have this step; by default all. A step "
+                      "for `look` tells, for example, what the others feel.",
+           .words = {"touch", "look", "blind"}},
           goalKey()};
 }
 

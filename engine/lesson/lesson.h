@@ -19,6 +19,25 @@
 
 namespace moltact {
 
+/// What a study gives to a student of a lesson (docs/study.md).
+enum class Condition : std::uint8_t {
+  Touch,  ///< the lesson as it is written
+  Look,   ///< the same scenes and texts without touch and without touch tasks
+  Blind,  ///< the same touch, and no picture of the molecule
+};
+/// "touch", "look" or "blind".
+std::string_view nameOf(Condition condition);
+/// The condition of this name; nothing if there is none.
+std::optional<Condition> conditionNamed(std::string_view name);
+
+/// The place of a lesson in a study; empty texts if it is in none.
+struct StudyPart {
+  std::string study;  ///< the study's name
+  std::string part;   ///< "pre", "lesson", "lesson 2", "post" or "delayed"
+  std::string group;  ///< empty in a page for every group
+  friend bool operator==(const StudyPart&, const StudyPart&) = default;
+};
+
 /// The position of text relative to the line: "H~2~O", "10^-9^".
 enum class Script : std::uint8_t { None, Sub, Super };
 
@@ -241,11 +260,12 @@ struct Step {
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
   std::vector<FactsSpec> facts;
-  SceneSpec scene;                 ///< the scene during this step
-  bool states_scene = false;       ///< false: the scene of the previous step continues
-  bool required = false;           ///< must be finished before the next step
-  std::vector<std::size_t> goals;  ///< goals of its tasks and questions that name none themselves
-  Place place, block_place;        ///< of its heading, and of its step block (line 0: none)
+  SceneSpec scene;                    ///< the scene during this step
+  bool states_scene = false;          ///< false: the scene of the previous step continues
+  bool required = false;              ///< must be finished before the next step
+  std::vector<std::size_t> goals;     ///< goals of its tasks and questions that name none themselves
+  std::vector<Condition> conditions;  ///< the only conditions with this step; empty: all
+  Place place, block_place;           ///< of its heading, and of its step block (line 0: none)
 };
 
 /// A word that the lesson explains.
@@ -272,6 +292,9 @@ struct Lesson {
   std::vector<Place> molecule_places;  ///< place of each of `molecules`
   std::vector<std::string> locked;     ///< locked keys in every scene
   std::string ask;                     ///< what the student is asked for: "name" or "code"; empty: nothing
+  bool test = false;                   ///< answers are kept without a verdict and may be changed; the last one counts
+  Condition condition = Condition::Touch;
+  StudyPart study;
   std::vector<Block> introduction;     ///< the text before the first step
   std::vector<Step> steps;             ///< at least one
   std::vector<GlossaryWord> glossary;  ///< its own words; after linkWords() also those of its folder's glossary

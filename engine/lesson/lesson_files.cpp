@@ -81,13 +81,19 @@ Expected<std::string> readBesideLesson(const fs::path& file, std::size_t max_byt
 bool looksLikeLesson(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string line;
+  bool front = false;
   for (bool first = true; std::getline(in, line); first = false) {
     const std::string_view text = trimmed(line);
-    if (first && (text == "---" || text == "\xEF\xBB\xBF---")) return true;
+    if (first) front = text == "---" || text == "\xEF\xBB\xBF---";
+    // The plan of a study has groups, and no lesson has.
+    if (front && !first) {
+      if (text.starts_with("groups:")) return false;
+      if (text == "---") return true;
+    }
     for (const char* fence : {"```scene", "```touch", "```answer"})
       if (text == fence) return true;
   }
-  return false;
+  return front;
 }
 
 LessonName lessonName(const fs::path& file) {

@@ -73,7 +73,7 @@ class Walk {
         if (in_question_ && step()->questions.back().choices.empty() && !block.children.empty() &&
             std::any_of(block.children.begin(), block.children.end(),
                         [](const MarkdownBlock& i) { return i.is_task; })) {
-          step()->questions.back().choices = reading::readChoices(reading_, block);
+          step()->questions.back().choices = reading::readChoices(reading_, block, lesson_.test);
           step()->questions.back().in_order = block.ordered;
           return;
         }
@@ -331,6 +331,7 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
     const bool whole = Walk(reading, lesson).run(*tree);
+    if (whole && open_fences.empty()) reading::applyCondition(reading, lesson);
     if (whole && open_fences.empty()) reading::resolveGoalsAndRules(reading, lesson);
     if (open_fences.empty()) reading::findLineSlips(reading, body);
     if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);

@@ -67,8 +67,12 @@ FactsSpec readFacts(Reading& reading, const MarkdownBlock& block, const Lesson& 
 /// steps in rules by ids. Adds a problem for each unknown step.
 void resolveGoalsAndRules(Reading& reading, Lesson& lesson);
 
-/// Reads the task list of a question.
-std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list);
+/// Changes the lesson to what its condition gives: takes out steps of other conditions, touch or the picture. Called
+/// before the links are checked. Adds a problem if no step remains, and for what a test cannot have.
+void applyCondition(Reading& reading, Lesson& lesson);
+
+/// Reads the task list of a question. The choices of a `test` need no feedback.
+std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list, bool test = false);
 
 /// Adds problems for a question without choices or answer, or without a right one.
 void checkQuestion(Reading& reading, const Question& question);

@@ -261,12 +261,13 @@ std::vector<std::size_t> LessonSession::choiceOrder(std::size_t question) const 
 }
 
 bool LessonSession::feedbackVisible(std::size_t question) const {
-  if (this->question(question).attempts == 0) return false;
+  if (this->question(question).attempts == 0 || lesson_->test) return false;
   const std::vector<char>& done = state().tasks_done;
   return !step().questions[question].prediction || std::all_of(done.begin(), done.end(), [](char d) { return d != 0; });
 }
 
 bool LessonSession::takesAnswer(std::size_t question) const {
+  if (lesson_->test) return true;
   if (step().questions[question].prediction) return !feedbackVisible(question);
   const QuestionStatus& status = this->question(question);
   const auto leads = leadsTo(question);
@@ -287,7 +288,7 @@ void LessonSession::record(std::size_t question, bool right) {
     rules.push_back(ruleHolds(step_, question, r));
   ++status.attempts;
   status.last_right = right;
-  status.answered_right = status.answered_right || right || step().questions[question].prediction;
+  status.answered_right = status.answered_right || right || step().questions[question].prediction || lesson_->test;
   status.again.clear();
   status.left_since_answer = false;
   const int limit = step().questions[question].attempts;
@@ -409,7 +410,8 @@ void LessonSession::restore(const SessionMemory& memory) {
       for (std::size_t q = 0; q < questions.size(); ++q) {
         if (questions[q].id != id) continue;
         s.questions[q] = status;
-        if (questions[q].prediction || questions[q].free()) s.questions[q].answered_right = status.attempts > 0;
+        if (questions[q].prediction || questions[q].free() || lesson_->test)
+          s.questions[q].answered_right = status.attempts > 0;
         std::erase_if(s.questions[q].chosen, [&](std::size_t c) { return c >= questions[q].choices.size(); });
         const int limit = questions[q].attempts;
         s.questions[q].shown = limit > 0 && !s.questions[q].answered_right && s.questions[q].attempts >= limit;

@@ -155,11 +155,11 @@ class LessonSession {
   void setOrderSeed(std::uint64_t seed, std::size_t sitting = 0);
 
   /// Whether a question of the current step accepts an answer. True until an answer was right or the tries are used up;
-  /// for a prediction, until its result is revealed. False while an earlier answer sends the student to another step
-  /// first.
+  /// for a prediction, until its result is revealed; in a test always. False while an earlier answer sends the student
+  /// to another step first.
   bool takesAnswer(std::size_t question) const;
   /// Whether the result of the last attempt may be shown: there is an attempt and, for a prediction, all tasks of the
-  /// step are done.
+  /// step are done. Never in a test.
   bool feedbackVisible(std::size_t question) const;
 
   /// Answers a question of the current step with choices. Returns true if they are exactly the right ones. An index out

@@ -64,6 +64,8 @@ void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson
   step.block_place = block.place;
   if (values.has("required")) step.required = values["required"].text == "yes";
   step.extra = values["extra"].text == "yes";
+  for (const std::string& word : values["condition"].words)
+    if (const auto condition = conditionNamed(word)) step.conditions.push_back(*condition);
   step.goals = readGoals(reading, values["goal"], lesson);
 }
 

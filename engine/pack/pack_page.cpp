@@ -51,17 +51,32 @@ std::string attribute(const std::string& text) {
 
 }  // namespace
 
-Expected<std::string> pageWithPack(std::string page, const std::string& page_file, const std::string& name,
-                                   std::string_view pack,
-                                   const std::vector<std::pair<std::string, std::string>>& attributes) {
+PageElement packElement(const std::string& id, const std::string& name, std::string_view pack) {
+  return {id, "text/plain", base64(pack), {{"data-name", name + kPackEnding}}};
+}
+
+Expected<std::string> pageWithElements(std::string page, const std::string& page_file,
+                                       const std::vector<PageElement>& elements) {
   const std::size_t place = page.find(kPlace);
   if (place == std::string::npos)
     return Problem{page_file, 0, 0, tr("it is no page of the browser edition, or holds a lesson already"),
                    tr("name the moltact.html that './run.sh web' made or that came with the program")};
-  std::string head = "<script type=\"text/plain\" id=\"pack-bytes\" data-name=\"" + attribute(name + kPackEnding) + '"';
-  for (const auto& [key, value] : attributes) head += ' ' + key + "=\"" + attribute(value) + '"';
-  page.replace(place, kPlace.size(), head + '>' + base64(pack) + "</script>");
+  std::string all;
+  for (const PageElement& e : elements) {
+    all += "<script type=\"" + e.type + "\" id=\"" + attribute(e.id) + '"';
+    for (const auto& [key, value] : e.attributes) all += ' ' + key + "=\"" + attribute(value) + '"';
+    all += '>' + e.text + "</script>";
+  }
+  page.replace(place, kPlace.size(), all);
   return page;
+}
+
+Expected<std::string> pageWithPack(std::string page, const std::string& page_file, const std::string& name,
+                                   std::string_view pack,
+                                   const std::vector<std::pair<std::string, std::string>>& attributes) {
+  PageElement element = packElement("pack-bytes", name, pack);
+  element.attributes.insert(element.attributes.end(), attributes.begin(), attributes.end());
+  return pageWithElements(std::move(page), page_file, {element});
 }
 
 }  // namespace moltact

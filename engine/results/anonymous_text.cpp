@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -80,6 +81,14 @@ bool isMeasurement(std::string_view text) {
   constexpr std::array<std::string_view, 14> kUnits{"",   "Å",  "A", "nm",     "pm",       "N", "mN",
                                                     "pN", "ms", "s", "kJ/mol", "kcal/mol", "%", "°"};
   return digit && std::find(kUnits.begin(), kUnits.end(), trimmed(text.substr(end))) != kUnits.end();
+}
+
+std::string wordsLeftOut(const std::string& text) {
+  if (text.empty() || isMeasurement(text)) return text;
+  std::size_t words = 0;
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n'; };
+  for (std::size_t at = 0; at < text.size(); ++at) words += !blank(text[at]) && (at == 0 || blank(text[at - 1]));
+  return trnf("({0} word left out)", "({0} words left out)", words, words);
 }
 
 }  // namespace moltact

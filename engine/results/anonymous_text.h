@@ -30,4 +30,7 @@ bool mentions(std::string_view text, std::string_view name);
 /// Whether the text is a number, also with a unit: "2.5 Å". It then tells nothing about who wrote it.
 bool isMeasurement(std::string_view text);
 
+/// What replaces a typed text: "(7 words left out)"; a measurement or an empty text stays.
+std::string wordsLeftOut(const std::string& text);
+
 }  // namespace moltact

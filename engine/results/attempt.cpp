@@ -32,6 +32,9 @@ std::size_t LessonOutline::parts() const {
 LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
   LessonOutline out{
       std::filesystem::path(lesson.file).filename().string(), lesson.title, std::move(hash), {}, lesson.goals};
+  out.test = lesson.test;
+  out.condition = lesson.condition;
+  out.study = lesson.study;
   for (const Step& step : lesson.steps) {
     StepOutline& s = out.steps.emplace_back(StepOutline{step.id, step.title, {}, {}, step.aside});
     for (const TaskSpec& task : step.tasks)

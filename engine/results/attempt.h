@@ -61,6 +61,9 @@ struct LessonOutline {
   std::string hash;  ///< of the file's bytes, from contentHash()
   std::vector<StepOutline> steps;
   std::vector<std::string> goals = {};
+  bool test = false;  ///< the last answer to a question counts, not the first
+  Condition condition = Condition::Touch;
+  StudyPart study = {};
 
   /// The number of tasks and questions in all steps of the core.
   std::size_t parts() const;

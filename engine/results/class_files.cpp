@@ -42,29 +42,35 @@ std::vector<Begun> attemptsIn(std::span<const fs::path> files_and_folders, std::
 
 }  // namespace
 
-ClassReading readClass(std::span<const fs::path> files_and_folders, const NamesShown& names) {
-  ClassReading out;
-  const std::vector<Begun> files = attemptsIn(files_and_folders, out.passed_over);
-  // Attempts are added in the order in which they began; problems are listed in the order of the files.
+std::vector<Problem> forEachAttempt(std::span<const fs::path> files_and_folders,
+                                    const std::function<void(const Attempt&)>& take) {
+  std::vector<Problem> out;
+  const std::vector<Begun> files = attemptsIn(files_and_folders, out);
+  // Attempts are passed in the order in which they began; problems are listed in the order of the files.
   std::vector<std::size_t> order(files.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return files[a].began < files[b].began; });
-  ClassCount count(names);
   std::vector<std::pair<std::size_t, std::vector<Problem>>> passed_over;
   for (const std::size_t k : order) {
     Expected<Attempt> attempt = readAttempt(files[k].file, ReadDepth::NoHipSamples);
     if (!attempt)
       passed_over.push_back({k, {attempt.problem()}});
     else {
-      count.add(*attempt);
+      take(*attempt);
       if (!attempt->problems.empty()) passed_over.emplace_back(k, std::move(attempt->problems));
     }
   }
   std::sort(passed_over.begin(), passed_over.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [file, problems] : passed_over)
-    out.passed_over.insert(out.passed_over.end(), std::make_move_iterator(problems.begin()),
-                           std::make_move_iterator(problems.end()));
+    out.insert(out.end(), std::make_move_iterator(problems.begin()), std::make_move_iterator(problems.end()));
+  return out;
+}
+
+ClassReading readClass(std::span<const fs::path> files_and_folders, const NamesShown& names) {
+  ClassReading out;
+  ClassCount count(names);
+  out.passed_over = forEachAttempt(files_and_folders, [&](const Attempt& attempt) { count.add(attempt); });
   out.summary = count.finish();
   return out;
 }

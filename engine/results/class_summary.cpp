@@ -77,7 +77,7 @@ class Counting {
     AnswerScore& a = p_.answers[{e.step, e.question}];
     const auto kind = kinds_.find({e.step, e.question});
     if (kind != kinds_.end()) a.kind = kind->second;
-    if (a.tries == 0 || a.kind != AnswerKind::Marked) {
+    if (a.tries == 0 || a.kind != AnswerKind::Marked || test_) {
       a.chosen = e.chosen;
       a.written = e.written;
       a.first_right = e.right;
@@ -87,8 +87,8 @@ class Counting {
     for (const std::size_t c : e.chosen)
       if (tags != tags_.end() && c < tags->second.size() && !tags->second[c].empty())
         ++p_.misconceptions[tags->second[c]];
-    if (!a.right) ++a.tries;
-    a.right = a.right || e.right;
+    if (!a.right || test_) ++a.tries;
+    a.right = (a.right && !test_) || e.right;
   }
   void operator()(const LessonReread& e) { learn(e.lesson); }
   void operator()(const OrderChanged& e) { p_.rules.push_back(e); }
@@ -137,6 +137,7 @@ class Counting {
 
  private:
   void learn(const LessonOutline& lesson) {
+    test_ = lesson.test;
     for (const StepOutline& s : lesson.steps)
       for (const QuestionOutline& q : s.questions) {
         kinds_[{s.id, q.id}] = q.kind;
@@ -167,6 +168,7 @@ class Counting {
   PersonScore& p_;
   std::map<std::pair<std::string, std::string>, AnswerKind> kinds_;               // by step and question id
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> tags_;  // of its choices
+  bool test_ = false;
   std::string step_, at_;  // the step whose time is counted, and the last step entered
   double t_s_ = 0.0, entered_s_ = 0.0;
   std::optional<TouchSoFar> open_;  // the touch without an end so far, and the time of its last record
@@ -258,12 +260,7 @@ struct ClassCount::Impl {
   }
 
   std::string typedText(const NameCover& cover, const std::string& text) const {
-    if (text.empty() || isMeasurement(text)) return text;
-    if (shown_as.typed_texts) return cover.covered(text);
-    std::size_t words = 0;
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\n'; };
-    for (std::size_t at = 0; at < text.size(); ++at) words += !blank(text[at]) && (at == 0 || blank(text[at - 1]));
-    return trnf("({0} word left out)", "({0} words left out)", words, words);
+    return shown_as.typed_texts ? cover.covered(text) : wordsLeftOut(text);
   }
 
   // Takes out what else could tell who somebody is.

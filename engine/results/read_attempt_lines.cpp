@@ -29,6 +29,16 @@ LessonOutline outline(const Json& from) {
   object(from, "lesson");
   LessonOutline out{text(from, "file", true), text(from, "title", true), text(from, "hash", false), {}};
   for (const Json& goal : listOrNone(from, "goals", kMaxSteps)) out.goals.push_back(text(goal, "goals"));
+  out.test = from.contains("test") && flag(from, "test");
+  if (const std::string condition = text(from, "condition", false); !condition.empty()) {
+    const std::optional<Condition> known = conditionNamed(condition);
+    if (!known) throw LineError{trf("'{0}' is no condition of a study", condition)};
+    out.condition = *known;
+  }
+  if (from.contains("study")) {
+    const Json& study = object(from["study"], "study");
+    out.study = {text(study, "name", true), text(study, "part", true), text(study, "group", false)};
+  }
   const auto goalsOf = [](const Json& of) {
     std::vector<std::size_t> goals;
     for (const Json& g : listOrNone(of, "goals", kMaxSteps)) goals.push_back(count(g, "goals"));

@@ -53,6 +53,12 @@ Json written(const LessonOutline& lesson) {
   }
   Json out{{"file", lesson.file}, {"title", lesson.title}, {"hash", lesson.hash}};
   if (!lesson.goals.empty()) out["goals"] = lesson.goals;
+  if (lesson.test) out["test"] = true;
+  if (lesson.condition != Condition::Touch) out["condition"] = nameOf(lesson.condition);
+  if (!lesson.study.study.empty()) {
+    out["study"] = {{"name", lesson.study.study}, {"part", lesson.study.part}};
+    if (!lesson.study.group.empty()) out["study"]["group"] = lesson.study.group;
+  }
   out["steps"] = std::move(steps);
   return out;
 }

@@ -106,7 +106,8 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
     {"pack --html", "the name of an option, with no lesson"},
     {"check --play", "the name of an option, with no lesson"},
     {"forget", "the student of the pages has no attempts; tests/app/forget_command_test.cpp deletes one"},
-    {"report --anonymous", "the name of an option, with no results"}};
+    {"report --anonymous", "the name of an option, with no results"},
+    {"report results --study", "the results are of no study; tests/study/simulated_class_test.cpp has one"}};
 
 // What opens the window.
 bool opensWindow(const std::string& arguments) {
@@ -135,6 +136,7 @@ struct PagePlace : CommandPlace {
               "<html><script id=\"platform-script\"></script><!--a lesson comes here--></html>");
     for (const char* name : {"a.recording", "mine.recording"})
       REQUIRE(run("device record simulated 1ubq --seconds 0.3 --out " + std::string(name)).status == 0);
+    writeFile(folder / "plan.md", "---\ntitle: S\nstudy: s\ngroups:\n- hands -> touch: my-lesson\n---\n");
     writeFile(folder / "answers.txt", "next\n");
     writeFile(folder / "jabs.txt", "next\n");
   }
@@ -207,9 +209,9 @@ TEST_CASE(
     if (arguments == subcommand) continue;  // the command's name
     // A smaller picture, one step of a lesson of which every step is tried elsewhere, and the page of the test.
     arguments = std::regex_replace(arguments, std::regex("--size [0-9x]+"), "--size 64x64");
-    if (arguments.starts_with("pack ") &&
-        (pageCommandsHas(arguments, "--html") || pageCommandsHas(arguments, "--scorm") ||
-         pageCommandsHas(arguments, "--cmi5")))
+    if (arguments.starts_with("study ") || (arguments.starts_with("pack ") && (pageCommandsHas(arguments, "--html") ||
+                                                                               pageCommandsHas(arguments, "--scorm") ||
+                                                                               pageCommandsHas(arguments, "--cmi5"))))
       arguments += " --page edition.html";
     if (arguments == "check lessons") arguments = "check lessons/first-touch.md";
     if (arguments == "check results") arguments = "check new";

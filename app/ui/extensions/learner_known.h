@@ -2,6 +2,8 @@
 // it opens its lesson. Window's thread.
 #pragma once
 
+#include <string>
+
 namespace moltact {
 
 inline bool& learnerKnownFlag() {
@@ -9,5 +11,11 @@ inline bool& learnerKnownFlag() {
   return known;
 }
 inline bool learnerKnown() { return learnerKnownFlag(); }
+
+/// The code by which a page of a study has assigned the student, which lessons take instead of asking; empty: none.
+inline std::string& assignedCode() {
+  static std::string code;
+  return code;
+}
 
 }  // namespace moltact

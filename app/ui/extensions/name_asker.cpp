@@ -38,7 +38,9 @@ std::optional<LessonProgress> NameAsker::lastAttempt(const std::optional<std::st
 
 // Keeps the recorder paused until the answer, even if another extension has resumed it.
 void NameAsker::beforeTicks() {
-  if (asking_) recorder_.pause(true);
+  if (!asking_) return;
+  recorder_.pause(true);
+  if (!assignedCode().empty()) give(assignedCode());
 }
 
 void NameAsker::lessonChanged() {

@@ -47,6 +47,7 @@ bool RevealPolicy::dependsOnUnseen() const {
 void RevealPolicy::followScene() {
   const LessonSession* session = lesson_.session();
   if (!session || !lesson_.onStage() || !scene_.stage() || session->step().tasks.empty()) return;
+  if (session->lesson().condition == Condition::Blind) return;
   const AtomList hidden = lesson_.looks().hidden;
   const bool depends = dependsOnUnseen();
   if (!depends && hidden && hidden->size() == scene_.stage().molecule->atoms.size()) {

@@ -252,6 +252,9 @@ EMSCRIPTEN_KEEPALIVE void moltact_fault(const char* url, const char* why) {
 // Opens a file that the user dropped or chose and that page.js has stored there.
 EMSCRIPTEN_KEEPALIVE void moltact_open(const char* file) { page->app.drop({file}); }
 
+// The code by which the page of a study has chosen the group.
+EMSCRIPTEN_KEEPALIVE void moltact_code(const char* code) { moltact::assignedCode() = code; }
+
 // Opens the pack as the lesson of a learning platform, where `suspended` (suspended.h) left it. If that is empty, the
 // lesson begins, whatever this browser has kept.
 EMSCRIPTEN_KEEPALIVE void moltact_platform_open(const char* pack, const char* suspended) {

@@ -237,6 +237,7 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   const auto line = [](std::string text) { return RichText{TextRun{.text = std::move(text)}}; };
   if (!status.again.empty()) return {{line(status.again)}, p.text};
   if (status.attempts == 0) return {{}, p.text};
+  if (session.lesson().test) return {{line(tr("Kept. You can still change it."))}, p.text};
   if (!session.feedbackVisible(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
   Said out{session.feedback(index), status.last_right ? p.good : p.bad, status.last_right ? Mark::Right : Mark::Wrong};
   if (question.free()) {
