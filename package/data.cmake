@@ -1,6 +1,5 @@
 # The data files of the program in the folder ${data}, the same on every system.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/lessons/ DESTINATION ${data}/lessons PATTERN README.md EXCLUDE)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/studies/ DESTINATION ${data}/studies)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/molecules/ DESTINATION ${data}/molecules
   PATTERN generator EXCLUDE PATTERN README.md EXCLUDE)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/assets/models ${CMAKE_SOURCE_DIR}/assets/hands ${CMAKE_SOURCE_DIR}/assets/simulate DESTINATION ${data}/assets
