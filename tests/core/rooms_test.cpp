@@ -35,7 +35,7 @@ std::vector<std::string> quotedIn(const std::string& text, const std::regex& wha
 std::vector<Room> roomsOfPage() {
   static const std::regex row(R"(^\| `((?:app|engine)[a-z_/]*)` \| ([^|]*) \|)"), name("`([a-z_/]+)`");
   std::vector<Room> out;
-  std::istringstream page(roomsTextOf(kRoomsSource / "docs/architecture.md"));
+  std::istringstream page(textOf(kSource / "docs/architecture.md"));
   for (std::string line; std::getline(page, line);) {
     std::smatch m;
     if (!std::regex_search(line, m, row)) continue;
@@ -55,9 +55,9 @@ std::string roomOf(const std::vector<Room>& rooms, const std::string& file) {
 
 std::vector<std::string> sourcesIn(const char* top) {
   std::vector<std::string> out;
-  for (const auto& entry : fs::recursive_directory_iterator(kRoomsSource / top)) {
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / top)) {
     const std::string ending = entry.path().extension().string();
-    if (ending == ".h" || ending == ".cpp") out.push_back(fs::relative(entry.path(), kRoomsSource).generic_string());
+    if (ending == ".h" || ending == ".cpp") out.push_back(fs::relative(entry.path(), kSource).generic_string());
   }
   std::sort(out.begin(), out.end());
   return out;
@@ -65,7 +65,7 @@ std::vector<std::string> sourcesIn(const char* top) {
 
 std::vector<std::string> includesOf(const std::string& file) {
   static const std::regex include(R"re(#\s*include\s+"((?:app|engine)/[^"]+)")re");
-  return quotedIn(roomsTextOf(kRoomsSource / file), include);
+  return quotedIn(textOf(kSource / file), include);
 }
 
 // The engine's libraries as its CMakeLists.txt makes them.
@@ -74,7 +74,7 @@ struct Libraries {
   std::map<std::string, std::set<std::string>> links;  // directly
 
   Libraries() {
-    const std::string text = roomsTextOf(kRoomsSource / "engine/CMakeLists.txt");
+    const std::string text = textOf(kSource / "engine/CMakeLists.txt");
     static const std::regex add(R"(add_library\((moltact_\w+) STATIC([^)]*)\))"),
         link(R"(target_link_libraries\((moltact_\w+)([^)]*)\))"), cpp(R"(([\w/]+\.cpp))"), library(R"((moltact_\w+))");
     for (std::sregex_iterator it(text.begin(), text.end(), add), end; it != end; ++it)
@@ -100,7 +100,7 @@ struct Libraries {
 std::map<std::string, std::vector<std::string>> compiledTogether(const std::string& folder) {
   static const std::regex light(R"(moltact_light\((\w+) \d+\))"),
       add(R"(add_(?:library|executable)\((moltact\w*)([^)]*)\))"), cpp(R"(([\w/]+\.cpp))");
-  const std::string text = roomsTextOf(kRoomsSource / folder / "CMakeLists.txt");
+  const std::string text = textOf(kSource / folder / "CMakeLists.txt");
   std::map<std::string, std::vector<std::string>> out;
   for (const std::string& target : quotedIn(text, light)) out[target];
   for (std::sregex_iterator it(text.begin(), text.end(), add), end; it != end; ++it)
@@ -152,7 +152,7 @@ TEST_CASE("the picture of docs/architecture.md shows every room of its table, in
   static const std::regex title(R"(<g><title>([a-z_/]+)</title>)");
   std::vector<std::string> of_page;
   for (const Room& r : roomsOfPage()) of_page.push_back(r.name);
-  CHECK(quotedIn(roomsTextOf(kRoomsSource / "docs/pictures/architecture.svg"), title) == of_page);
+  CHECK(quotedIn(textOf(kSource / "docs/pictures/architecture.svg"), title) == of_page);
 }
 
 TEST_CASE("above the bench, references that judge a method are created by makeInteraction like the method itself") {
@@ -162,7 +162,7 @@ TEST_CASE("above the bench, references that judge a method are created by makeIn
     for (const std::string& file : sourcesIn(top)) {
       if (file.starts_with("engine/haptics/") || file.starts_with("engine/bench/")) continue;
       ++looked_at;
-      CHECK_MESSAGE(!std::regex_search(roomsTextOf(kRoomsSource / file), tracker), file);
+      CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), tracker), file);
     }
   CHECK(looked_at > 300);
 }
@@ -176,7 +176,7 @@ TEST_CASE("a library of the engine links what its files include, directly or thr
   for (const auto& [file, library] : libraries.of_file) {
     const std::set<std::string> reached = libraries.reached(library);
     std::vector<std::string> includes = includesOf(file);
-    if (const fs::path header = fs::path(file).replace_extension(".h"); fs::exists(kRoomsSource / header))
+    if (const fs::path header = fs::path(file).replace_extension(".h"); fs::exists(kSource / header))
       for (std::string& more : includesOf(header.generic_string())) includes.push_back(std::move(more));
     for (const std::string& included : includes) {
       const std::set<std::string>& there = of_room[roomOf(rooms, included)];
@@ -190,7 +190,7 @@ TEST_CASE("a library of the engine links what its files include, directly or thr
 TEST_CASE("the engine never sees ImGui, and no haptic method uses the inside of another") {
   static const std::regex imgui(R"re(#\s*include\s+[<"]imgui)re"), method(R"(^engine/haptics/([a-z_]+)/)");
   for (const std::string& file : sourcesIn("engine")) {
-    CHECK_MESSAGE(!std::regex_search(roomsTextOf(kRoomsSource / file), imgui), file);
+    CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), imgui), file);
     std::smatch own, other;
     if (!std::regex_search(file, own, method)) continue;
     for (const std::string& included : includesOf(file))
@@ -202,7 +202,7 @@ TEST_CASE("all of app uses imgui_versions.h and key_focus.h for what differs bet
   static const std::regex differs("IMGUI_VERSION_NUM|SetKeyboardFocusHere *\\(|ImGui::ActivateItem");
   for (const std::string& file : sourcesIn("app"))
     if (!file.starts_with("app/ui/widgets/imgui_versions."))
-      CHECK_MESSAGE(!std::regex_search(roomsTextOf(kRoomsSource / file), differs), file);
+      CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), differs), file);
 }
 
 TEST_CASE("sources that are compiled together have no constant and no type of their own by the same name") {
@@ -215,7 +215,7 @@ TEST_CASE("sources that are compiled together have no constant and no type of th
       CHECK_MESSAGE(!sources.empty(), target);
       for (const std::string& file : sources) {
         ++files;
-        for (const std::string& name : quotedIn(roomsTextOf(kRoomsSource / file), own)) {
+        for (const std::string& name : quotedIn(textOf(kSource / file), own)) {
           ++names;
           const auto [at, is_new] = first.emplace(name, file);
           CHECK_MESSAGE(is_new, target, ": ", name, " in ", at->second, " and ", file);
@@ -230,5 +230,5 @@ TEST_CASE("only background.h starts background work, and its threads have a sign
   for (const char* folder : {"engine", "app"})
     for (const std::string& file : sourcesIn(folder))
       if (file != "engine/platform/background.h")
-        CHECK_MESSAGE(roomsTextOf(kRoomsSource / file).find("std::async(") == std::string::npos, file);
+        CHECK_MESSAGE(textOf(kSource / file).find("std::async(") == std::string::npos, file);
 }
