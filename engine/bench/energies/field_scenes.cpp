@@ -13,7 +13,7 @@ namespace {
 constexpr float kArgonHalf_A = 1.91f, kArgonDepth_kcal_mol = 0.238f;
 // The contact is where the energy of two such atoms is zero: 2^(-1/6) of the distance of the minimum.
 constexpr double kZero = 0.8908987181403393;
-constexpr int kHeld = 1000;
+constexpr int kHeldInField = 1000;
 
 PairAtom atom(const Vec3& at, float half_A, float depth_kcal_mol, float charge_e = 0.0f) {
   return {at, half_A, depth_kcal_mol, charge_e};
@@ -73,10 +73,10 @@ FieldScene inVacuum(FieldScene s) {
 std::vector<FieldScene> fieldScenes(std::uint64_t seed, std::size_t draw) {
   const Vec3 far(0.0, 0.0, 12.0);
   std::vector<FieldScene> out;
-  out.push_back(scene("steep wall at speed",
-                      "Does a hand that runs into an atom at 0.5 A a tick stay outside and gain nothing?",
-                      {argon({0, 0, 0})}, argon({}),
-                      HandPath({1.0, 0.3, 12.0}).to({1.0, 0.3, -12.0}, 0.5).to({1.0, 0.3, 12.0}, 0.5).pause(kHeld)));
+  out.push_back(
+      scene("steep wall at speed", "Does a hand that runs into an atom at 0.5 A a tick stay outside and gain nothing?",
+            {argon({0, 0, 0})}, argon({}),
+            HandPath({1.0, 0.3, 12.0}).to({1.0, 0.3, -12.0}, 0.5).to({1.0, 0.3, 12.0}, 0.5).pause(kHeldInField)));
   out.push_back(magnified(scene("two wells close together",
                                 "Does a slow hand pass from one well into the next without vibration?",
                                 {argon({-3.2, 0, 0}), argon({3.2, 0, 0})}, argon({}),
@@ -84,12 +84,12 @@ std::vector<FieldScene> fieldScenes(std::uint64_t seed, std::size_t draw) {
                                     .to({-2.0, 0, 3.4}, 0.01)
                                     .to({2.0, 0, 3.4}, 0.002)
                                     .to({0.0, 0, 3.4}, 0.002)
-                                    .hold(kHeld)
+                                    .hold(kHeldInField)
                                     .to({-2.0, 0, 12.0}, 0.01))));
   out.push_back(
       inVacuum(scene("two charges in vacuum", "Does an attraction of 20 N at contact let the hand rest there?",
                      {argon({0, 0, 0}, 1.0f)}, argon({}, -1.0f),
-                     HandPath(far).to({0, 0, 4.0}, 0.01).hold(kHeld).to(far, 0.01).pause(kHeld))));
+                     HandPath(far).to({0, 0, 4.0}, 0.01).hold(kHeldInField).to(far, 0.01).pause(kHeldInField))));
   out.push_back(magnified(scene("face of a cell, to and fro",
                                 "Is the force continuous where an atom crosses a grid's face again and again?",
                                 {argon({0, 0, 0}), argon({3.8, 0, 0})}, argon({}), [&] {
@@ -109,16 +109,18 @@ std::vector<FieldScene> fieldScenes(std::uint64_t seed, std::size_t draw) {
                           .pause(100)
                           .to(far, 0.02)));
   out.push_back(scene("start inside an atom", "Is there no force before the probe has been outside once?",
-                      {argon({0, 0, 0})}, argon({}), HandPath({0.4, 0.1, 0.3}).pause(300).to(far, 0.02).pause(kHeld)));
-  out.push_back(inVacuum(scene(
-      "overlapping hydrogen", "Does a charge inside the radius of its atom not capture the probe?",
-      {atom({0, 0, 0}, 1.7683f, 0.152f, -0.834f), atom({0, 0, 0.9572}, 0.0f, 0.0f, 0.417f),
-       atom({0.9266, 0, -0.24}, 0.0f, 0.0f, 0.417f)},
-      atom({}, 1.7683f, 0.152f, -1.0f), HandPath(far).to({0, 0, 1.5}, 0.01).hold(kHeld).to(far, 0.01).pause(kHeld))));
-  FieldScene scaled =
-      inVacuum(scene("well deeper than the device bears",
-                     "Does a well scaled by 1 N for each kcal/mol/A keep the hand at rest?", {argon({0, 0, 0}, 0.5f)},
-                     argon({}, -0.5f), HandPath(far).to({0, 0, 3.6}, 0.01).hold(kHeld).to(far, 0.01).pause(kHeld)));
+                      {argon({0, 0, 0})}, argon({}),
+                      HandPath({0.4, 0.1, 0.3}).pause(300).to(far, 0.02).pause(kHeldInField)));
+  out.push_back(
+      inVacuum(scene("overlapping hydrogen", "Does a charge inside the radius of its atom not capture the probe?",
+                     {atom({0, 0, 0}, 1.7683f, 0.152f, -0.834f), atom({0, 0, 0.9572}, 0.0f, 0.0f, 0.417f),
+                      atom({0.9266, 0, -0.24}, 0.0f, 0.0f, 0.417f)},
+                     atom({}, 1.7683f, 0.152f, -1.0f),
+                     HandPath(far).to({0, 0, 1.5}, 0.01).hold(kHeldInField).to(far, 0.01).pause(kHeldInField))));
+  FieldScene scaled = inVacuum(
+      scene("well deeper than the device bears", "Does a well scaled by 1 N for each kcal/mol/A keep the hand at rest?",
+            {argon({0, 0, 0}, 0.5f)}, argon({}, -0.5f),
+            HandPath(far).to({0, 0, 3.6}, 0.01).hold(kHeldInField).to(far, 0.01).pause(kHeldInField)));
   scaled.N_per_kcal_mol_A = 1.0;
   out.push_back(std::move(scaled));
   if (draw == 0) return out;
