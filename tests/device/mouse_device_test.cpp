@@ -8,26 +8,26 @@
 
 namespace moltact {
 namespace {
-constexpr double kTick_s = 0.001;
+constexpr double kMouseTick_s = 0.001;
 }
 
 TEST_CASE("after one time constant of 25 ms the hand has gone 63.2 % of a way of 1 mm") {
   MouseDevice mouse;
   mouse.place({{0, 0, 0}});
-  mouse.read(kTick_s);
+  mouse.read(kMouseTick_s);
   mouse.lead({{1, 0, 0}});
   DevicePose pose;
-  for (int k = 0; k < 25; ++k) pose = mouse.read(kTick_s);
+  for (int k = 0; k < 25; ++k) pose = mouse.read(kMouseTick_s);
   CHECK(pose.position.mm.x == doctest::Approx(1.0 - std::exp(-1.0)).epsilon(1e-9));
 }
 
 TEST_CASE("the hand moves no faster than 0.4 mm a tick") {
   MouseDevice mouse;
   mouse.place({{0, 0, 0}});
-  Vec3 before = mouse.read(kTick_s).position.mm;
+  Vec3 before = mouse.read(kMouseTick_s).position.mm;
   mouse.lead({{1000, 1000, 0}});
   for (int k = 0; k < 100; ++k) {
-    const Vec3 now = mouse.read(kTick_s).position.mm;
+    const Vec3 now = mouse.read(kMouseTick_s).position.mm;
     CHECK(glm::distance(now, before) == doctest::Approx(0.4).epsilon(1e-9));
     before = now;
   }
@@ -37,28 +37,28 @@ TEST_CASE("a placed hand is there at the next tick") {
   MouseDevice mouse;
   mouse.lead({{5, 5, 5}});
   mouse.place({{70, -20, 3}});
-  const DevicePose pose = mouse.read(kTick_s);
+  const DevicePose pose = mouse.read(kMouseTick_s);
   CHECK(pose.position.mm == Vec3(70, -20, 3));
   CHECK(pose.discontinuities == 1);
-  CHECK(mouse.read(kTick_s).discontinuities == 1);
+  CHECK(mouse.read(kMouseTick_s).discontinuities == 1);
 }
 
 TEST_CASE("a hand that is placed and led on before the next tick is first where it was placed") {
   MouseDevice mouse;
   mouse.place({{70, -20, 3}});
   mouse.lead({{70, -20, 0}});
-  CHECK(mouse.read(kTick_s).position.mm == Vec3(70, -20, 3));
-  const double way_mm = 3.0 - mouse.read(kTick_s).position.mm.z;
+  CHECK(mouse.read(kMouseTick_s).position.mm == Vec3(70, -20, 3));
+  const double way_mm = 3.0 - mouse.read(kMouseTick_s).position.mm.z;
   CHECK(way_mm == doctest::Approx(3.0 * (1.0 - std::exp(-0.001 / 0.025))).epsilon(1e-9));
 }
 
 TEST_CASE("a lead that is not finite is ignored") {
   MouseDevice mouse;
   mouse.place({{1, 2, 3}});
-  mouse.read(kTick_s);
+  mouse.read(kMouseTick_s);
   mouse.lead({{std::numeric_limits<double>::quiet_NaN(), 0, 0}});
   mouse.lead({{0, std::numeric_limits<double>::infinity(), 0}});
-  for (int k = 0; k < 10; ++k) CHECK(mouse.read(kTick_s).position.mm == Vec3(1, 2, 3));
+  for (int k = 0; k < 10; ++k) CHECK(mouse.read(kMouseTick_s).position.mm == Vec3(1, 2, 3));
 }
 
 TEST_CASE(
@@ -66,10 +66,10 @@ TEST_CASE(
     "ignored") {
   MouseDevice mouse;
   mouse.place({{0, 0, 0}});
-  mouse.read(kTick_s);
+  mouse.read(kMouseTick_s);
   mouse.turn(glm::angleAxis(0.1, Vec3(0, 1, 0)));
   DevicePose pose;
-  for (int k = 0; k < 25; ++k) pose = mouse.read(kTick_s);
+  for (int k = 0; k < 25; ++k) pose = mouse.read(kMouseTick_s);
   CHECK(rotationBetween(kNoRotation, pose.orientation).y ==
         doctest::Approx(0.1 * (1.0 - std::exp(-1.0))).epsilon(1e-6));
   const Quat far = glm::angleAxis(3.0, Vec3(1, 0, 0));
@@ -78,11 +78,11 @@ TEST_CASE(
   mouse.turn(Quat(3, 0, 0, 0));
   for (int k = 0; k < 400; ++k) {
     const Quat before = pose.orientation;
-    pose = mouse.read(kTick_s);
+    pose = mouse.read(kMouseTick_s);
     CHECK(glm::length(rotationBetween(before, pose.orientation)) < 0.006 + 1e-9);
   }
   mouse.place({{7, 0, 0}});
-  for (int k = 0; k < 600; ++k) pose = mouse.read(kTick_s);
+  for (int k = 0; k < 600; ++k) pose = mouse.read(kMouseTick_s);
   CHECK(glm::length(rotationBetween(pose.orientation, far)) < 1e-6);
 }
 

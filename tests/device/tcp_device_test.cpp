@@ -23,7 +23,7 @@ bool comes(Done done) {
   return done();
 }
 
-std::unique_ptr<Device> opened(const TcpStylus& stylus) {
+std::unique_ptr<Device> openedStylus(const TcpStylus& stylus) {
   auto device = openDevice(stylus.device());
   REQUIRE(device);
   return std::move(*device);
@@ -179,7 +179,7 @@ TEST_CASE(
   CHECK(found->name == stylus.device());
   CHECK(found->place == "127.0.0.1:" + std::to_string(stylus.port()));
 
-  const auto device = opened(stylus);
+  const auto device = openedStylus(stylus);
   CHECK(device->info().gives_force);
   CHECK(device->status().connected);
   stylus.x_mm = 12.0;
@@ -245,7 +245,7 @@ TEST_CASE(
   for (const Sends fault : {Sends::Places, Sends::EmptyReport, Sends::LongReport, Sends::HalfReport, Sends::Nothing}) {
     CAPTURE(int(fault));
     TcpStylus stylus;
-    const auto device = opened(stylus);
+    const auto device = openedStylus(stylus);
     CHECK(comes([&] {
       device->write({{0.5, 0, 0}});
       return device->read(0.001).connected && stylus.last_mN > 0;

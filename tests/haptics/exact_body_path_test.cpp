@@ -14,7 +14,7 @@ using test::BodyWay;
 
 namespace {
 
-const Vec3 kX(1, 0, 0), kZ(0, 0, 1);
+const Vec3 kPathX(1, 0, 0), kPathZ(0, 0, 1);
 
 std::vector<Sphere> onSphere(int n, double radius_A, double each_A) {
   std::vector<Sphere> out;
@@ -188,7 +188,7 @@ TEST_CASE(
         long across = 0;
         const auto tick = [&](double z, double turn) {
           const Response r =
-              felt.respond({{{0.4, -0.3, side * z}}, glm::angleAxis(turn, glm::normalize(kX + 0.5 * kZ))});
+              felt.respond({{{0.4, -0.3, side * z}}, glm::angleAxis(turn, glm::normalize(kPathX + 0.5 * kPathZ))});
           way.judge(r);
           REQUIRE(r.body_pose);
           for (const Sphere& s : body->spheres)
@@ -219,7 +219,7 @@ TEST_CASE("a row of spheres passes a ring with 1.01e-10 A to spare without sinki
   felt.observe(&way);
   Response r;
   for (int k = 0; k <= 400; ++k) {
-    r = felt.respond({{{0, 0, 8.0 - 0.04 * k}}, glm::angleAxis(0.1 * std::sin(0.05 * k), kX)});
+    r = felt.respond({{{0, 0, 8.0 - 0.04 * k}}, glm::angleAxis(0.1 * std::sin(0.05 * k), kPathX)});
     way.judge(r);
   }
   CHECK(r.body_pose->place.A.z < -7.0);
