@@ -34,7 +34,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST_CASE("a lesson is packed beside itself or to the path of -o, listed file by file, twice to the same bytes") {
   const Place place;
-  const PackRun run = place.run("pack haem.md");
+  const Run run = place.run("pack haem.md");
   CHECK(run.status == 0);
   CHECK(run.err.empty());
   CHECK(has(run.out, "haem.moltact is written (1 kB):\n  haem.md\n  mine.xyzr\n"));
@@ -47,7 +47,7 @@ TEST_CASE(
     "with --html the pack stands in base64 in the page that --page names, which opens it; another page is refused") {
   const Place place;
   place.write("edition.html", "<html><!--a lesson comes here--><script>program</script></html>");
-  const PackRun run = place.run("pack haem.md --html --page edition.html");
+  const Run run = place.run("pack haem.md --html --page edition.html");
   CHECK(run.status == 0);
   CHECK(has(run.out, "haem.html is written (1 kB):\n  haem.md\n  mine.xyzr\n"));
   const std::string page = contents(place.folder / "haem.html");
@@ -64,7 +64,7 @@ TEST_CASE(
   CHECK(contents(place.folder / "decoded.moltact") == contents(place.folder / "haem.moltact"));
 
   place.write("other.html", "<html></html>");
-  const PackRun other = place.run("pack haem.md --html --page other.html -o other-out.html");
+  const Run other = place.run("pack haem.md --html --page other.html -o other-out.html");
   CHECK(other.status == 1);
   CHECK(has(other.err, "other.html: it is no page of the browser edition"));
   CHECK_FALSE(fs::exists(place.folder / "other-out.html"));
@@ -115,7 +115,7 @@ TEST_CASE(
          "<schemaversion>2004 4th Edition</schemaversion>"},
         {"--cmi5", "evil.cmi5.zip", "cmi5.xml", "cmi5", "moveOn=\"Completed\""}}) {
     CAPTURE(c.option);
-    const PackRun run = place.run("pack evil.md " + c.option + " --page edition.html");
+    const Run run = place.run("pack evil.md " + c.option + " --page edition.html");
     CHECK(run.err.empty());
     REQUIRE(run.status == 0);
     CHECK(has(run.out, c.file + " is written"));
@@ -145,7 +145,7 @@ TEST_CASE(
 TEST_CASE("a lesson with a fault is not packed, its notes are reported, and a file that is no lesson is refused") {
   const Place place;
   place.write("bad.md", kLesson + "\n![no](gone.png)\n");
-  PackRun run = place.run("pack bad.md");
+  Run run = place.run("pack bad.md");
   CHECK(run.status == 1);
   CHECK(has(run.err, "bad.md:22:1: the picture 'gone.png' leads to no file"));
   CHECK(has(run.err, "nothing was packed"));
@@ -170,7 +170,7 @@ TEST_CASE("check, info and play take a pack as they take a lesson, and leave not
   fs::create_directory(place.folder / "tmp");
   const std::string in_tmp = "export TMPDIR='" + (place.folder / "tmp").string() + "';";
 
-  PackRun run = place.run("check haem.moltact", in_tmp);
+  Run run = place.run("check haem.moltact", in_tmp);
   CHECK(run.status == 0);
   CHECK(run.out.ends_with("1 lesson checked: no errors\n"));
 
@@ -218,7 +218,7 @@ TEST_CASE("a fault in a packed lesson is reported at its place in the pack; a br
   std::string bytes = contents(place.folder / "haem.moltact");
   place.write("cut.moltact", bytes.substr(0, bytes.size() - 30));
   for (const char* command : {"check cut.moltact", "info cut.moltact", "play cut.moltact --demonstrate"}) {
-    const PackRun run = place.run(command);
+    const Run run = place.run(command);
     CAPTURE(command);
     CHECK(run.status == 1);
     CHECK(has(run.out + run.err, "cut.moltact: "));
@@ -234,7 +234,7 @@ TEST_CASE("a fault in a packed lesson is reported at its place in the pack; a br
   REQUIRE(place.run("pack lib.md").status == 0);
   fs::create_directories(place.folder / "home/molecules");
   place.write("home/molecules/catalogue.json", "{\"molecules\": []}");
-  const PackRun run = place.run("check lib.moltact", "export MOLTACT_HOME='" + (place.folder / "home").string() + "';");
+  const Run run = place.run("check lib.moltact", "export MOLTACT_HOME='" + (place.folder / "home").string() + "';");
   CHECK(run.status == 1);
   CHECK(has(run.out, "lib.moltact/lib.md:5:12: error: "));
 }
