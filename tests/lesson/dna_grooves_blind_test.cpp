@@ -3,6 +3,7 @@
 // task accepts.
 #include <algorithm>
 
+#include "tests/lesson/shipped_hand.h"
 #include "tests/lesson/shipped_lesson.h"
 
 using namespace moltact;
@@ -36,15 +37,6 @@ std::vector<SurfacePlace> everyPlace(const ShippedScene& dna, const std::string&
           }))
         out.push_back(p);
   return out;
-}
-
-const TaskSpec& taskOf(const Lesson& lesson, const std::string& step, std::string_view kind) {
-  const auto at = lesson.find(step);
-  REQUIRE(at);
-  for (const TaskSpec& t : lesson.steps[*at].tasks)
-    if (t.kind == kind) return t;
-  FAIL(step << " has no task " << kind);
-  return lesson.steps[*at].tasks[0];
 }
 
 constexpr const char* kMinorFloor = "residue 5-8 and name C2 N3 O2 N2";
