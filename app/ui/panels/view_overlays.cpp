@@ -129,6 +129,11 @@ void forceLabel(const Application& app, const ServoSample& now, ViewRoom& room) 
   }
 }
 
+// Whether the scene leaves anything to touch: the box of an empty grid has no size.
+bool hasSurface(const HapticSession& scene) {
+  return !scene.stage() || scene.stage().spheres->low_A() != scene.stage().spheres->high_A();
+}
+
 const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body) {
   if (fingers && has_pressed && body) return tr("Two fingers turn what you hold, three the molecule");
   if (fingers)
@@ -339,7 +344,8 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
                                 : feltText(app.scene.stage().molecule.get(), now, app.scene.log().shownForce_N()),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
-             hint > 0.0f && measured.empty() && !app.scene.playedHand().on() && !app.scene.servo().deviceLeads()) {
+             hint > 0.0f && measured.empty() && hasSurface(app.scene) && !app.scene.playedHand().on() &&
+             !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
                             hintText(app.scene.controls.hasPressed(), app.settings.left_handed,
                                      app.panels.window.fingers, app.scene.stage().body != nullptr),

@@ -26,7 +26,7 @@ void drawGoals(const LessonSession& session) {
 }  // namespace
 
 void drawLessonGoals(Application& app, const LessonSession& session) {
-  if (session.lesson().goals.empty()) return;
+  if (session.lesson().goals.empty() || session.lesson().test) return;
   bool open = app.panels.lesson_memory.goals.value_or(false);
   if (disclosure("lesson/goals", tr("What you can do afterwards"), open)) app.panels.lesson_memory.goals = open;
   if (open) drawGoals(session);
