@@ -11,7 +11,7 @@ using namespace moltact;
 using namespace moltact::test;
 
 namespace {
-constexpr unsigned kFairTrialsSeed = 20261122;
+constexpr unsigned kSeed = 20261122;
 }  // namespace
 
 TEST_CASE("answers to 'same' by a coin, always the same, or half of each pass a round as often as coins do") {
@@ -19,8 +19,8 @@ TEST_CASE("answers to 'same' by a coin, always the same, or half of each pass a 
   // A task asked before is a measurement: one round without pass or fail.
   std::erase_if(found, [](const Found& f) { return f.spec().values["asked"].text == "before"; });
   REQUIRE(found.size() >= 8);
-  std::mt19937 random(kFairTrialsSeed);
-  CAPTURE(kFairTrialsSeed);
+  std::mt19937 random(kSeed);
+  CAPTURE(kSeed);
   Passes table;
   for (const Found& f : found) {
     CAPTURE(f.name());
@@ -40,7 +40,7 @@ TEST_CASE("answers to 'same' by a coin, always the same, or half of each pass a 
       int passed = 0;
       for (int round = 0; round < kRounds; ++round) {
         task->reset();
-        task->drawBy(mixedSeed(kFairTrialsSeed, std::uint64_t(round)));
+        task->drawBy(mixedSeed(kSeed, std::uint64_t(round)));
         double time_s = 0.0;
         int said_different = 0;
         bool last = false;
@@ -80,7 +80,7 @@ TEST_CASE(
     "who looked where the place was, and who presses anywhere, find it in the dark no more often than a blind press") {
   const std::vector<Found> found = tasksOfKind("find");
   REQUIRE(found.size() >= 8);
-  CAPTURE(kFairTrialsSeed);
+  CAPTURE(kSeed);
   Passes table;
   for (const Found& f : found) {
     CAPTURE(f.name());
@@ -89,7 +89,7 @@ TEST_CASE(
     constexpr double kWide_px = StepPicture::kSize_px;
     // Fitting many atoms into the view takes long.
     const int rounds = picture.part || picture.molecule->atoms.size() < 20000 ? 400 : 100;
-    std::mt19937 random(kFairTrialsSeed);
+    std::mt19937 random(kSeed);
     std::uniform_real_distribution<double> pixel(0.0, kWide_px), beside(-60.0, 60.0);
     const auto around = [&](glm::dvec2 at, int guess) {
       return at + (guess ? glm::dvec2(beside(random), beside(random)) : glm::dvec2(0.0));
@@ -97,7 +97,7 @@ TEST_CASE(
     const auto share = [&](std::uint64_t row, auto where) {
       int passed = 0;
       for (int k = 0; k < rounds; ++k)
-        passed += findBy(picture, f.spec(), *task, mixedSeed(kFairTrialsSeed, row + std::uint64_t(k)), where);
+        passed += findBy(picture, f.spec(), *task, mixedSeed(kSeed, row + std::uint64_t(k)), where);
       return double(passed) / rounds;
     };
     const double jabbed = share(0, [&](int) { return glm::dvec2(pixel(random), pixel(random)); });
@@ -121,7 +121,7 @@ TEST_CASE("who is put down at place after place of a way, without sliding, does 
   Passes table;
   for (const Found& f : found) {
     CAPTURE(f.name());
-    Alone looker(f, kFairTrialsSeed), jabber(f, kFairTrialsSeed), honest(f, kFairTrialsSeed);
+    Alone looker(f, kSeed), jabber(f, kSeed), honest(f, kSeed);
     const HandPlanInput view = jabber.learner.view();
     HandPlan plan;
     for (const HandAct& act : jabber.task().demonstrate(view)) {
@@ -162,14 +162,14 @@ TEST_CASE(
     const StepPicture picture(*f.step);
     const auto both = atomsOf(picture, f.spec(), {"cross", "to"});
     REQUIRE_FALSE(both.empty());
-    Alone looker(f, kFairTrialsSeed);
+    Alone looker(f, kSeed);
     for (const auto& atoms : {atomsOf(picture, f.spec(), {"cross"}), atomsOf(picture, f.spec(), {"to"}), both})
       looker.jab(picture, picture.camera(), picture.seen(atoms), 0.6);
     CHECK_FALSE(looker.done());
     constexpr int kRounds = 2, kJabs = 40;
     int jabbed = 0;
     for (int round = 0; round < kRounds; ++round) {
-      Alone jabber(f, mixedSeed(kFairTrialsSeed, std::uint64_t(round)));
+      Alone jabber(f, mixedSeed(kSeed, std::uint64_t(round)));
       Camera from = picture.camera();
       for (int k = 0; k < kJabs && !jabber.done(); ++k) {
         if (k % 8 == 0) from = jabber.someView(picture, both);
@@ -178,7 +178,7 @@ TEST_CASE(
       jabbed += jabber.done();
     }
     CHECK(jabbed == 0);
-    Alone honest(f, kFairTrialsSeed);
+    Alone honest(f, kSeed);
     CHECK(honest.learner.doTask());
     table.row(f, looker.done(), kNone, double(jabbed) / kRounds, 0.0);
   }
@@ -205,7 +205,7 @@ TEST_CASE(
     // A slider of which four sizes often hold the right one asks for no skill.
     CHECK(chance < 0.25);
     // The looker takes the size that is set at first, the guesser any, and neither tries it.
-    Alone looker(f, kFairTrialsSeed), guesser(f, kFairTrialsSeed);
+    Alone looker(f, kSeed), guesser(f, kSeed);
     looker.jab(picture, picture.camera(), picture.seen(place), 1.5);
     looker.learner.tell({.word = "this"});
     CHECK_FALSE(looker.done());
@@ -216,7 +216,7 @@ TEST_CASE(
     CHECK_FALSE(guesser.done());
     int jabbed = 0;
     for (int round = 0; round < rounds; ++round) {
-      Alone jabber(f, mixedSeed(kFairTrialsSeed, std::uint64_t(round)));
+      Alone jabber(f, mixedSeed(kSeed, std::uint64_t(round)));
       for (int size = 0; size < kSizes && !jabber.done(); ++size) {
         const double steps = std::floor((most_A - least_A) / 0.1 * jabber.fraction());
         jabber.learner.tell({.number = least_A + 0.1 * steps});
@@ -246,7 +246,7 @@ TEST_CASE("marking what was not touched, the same place twice, or places met by 
       if (who.offers("mark")) who.learner.tell({.word = "mark"});
     };
     // The looker clicks what the picture shows in its middle; the guesser marks without a touch, then one place twice.
-    Alone looker(f, kFairTrialsSeed), guesser(f, kFairTrialsSeed);
+    Alone looker(f, kSeed), guesser(f, kSeed);
     for (const glm::dvec2 at : {picture.seen(everyAtom(picture.spheres)), picture.seen(everyAtom(picture.spheres))}) {
       looker.jab(picture, picture.camera(), at, 0.6);
       mark(looker);
@@ -261,7 +261,7 @@ TEST_CASE("marking what was not touched, the same place twice, or places met by 
     constexpr int kRounds = 40;
     int jabbed = 0;
     for (int round = 0; round < kRounds; ++round) {
-      Alone jabber(f, mixedSeed(kFairTrialsSeed, std::uint64_t(round)));
+      Alone jabber(f, mixedSeed(kSeed, std::uint64_t(round)));
       const auto all = everyAtom(picture.spheres);
       for (int k = 0; k < 2; ++k) {
         jabber.jab(picture, picture.camera(), jabber.somewhere(picture, picture.camera(), all));
@@ -289,14 +289,14 @@ TEST_CASE("places that are put in order without a feeling for them are in order 
       chance /= double(one_of_each.size());
     }
     const int places = int(one_of_each.size());
-    std::mt19937 random(kFairTrialsSeed);
+    std::mt19937 random(kSeed);
     constexpr int kRounds = 1000;
     // The looker takes the order in which they are met, the guesser the other way round, the jabber any.
     const auto passedBy = [&](int way) {
       int passed = 0;
       for (int round = 0; round < kRounds; ++round) {
         task->reset();
-        task->drawBy(mixedSeed(kFairTrialsSeed, std::uint64_t(round)));
+        task->drawBy(mixedSeed(kSeed, std::uint64_t(round)));
         double time_s = 0.0;
         for (int k = 0; k < places; ++k) {
           for (const std::int32_t a : one_of_each)

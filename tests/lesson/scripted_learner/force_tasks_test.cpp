@@ -1,4 +1,4 @@
-// Touch tasks in scenes with forces between atoms, on small forceTasksMolecules of ions: they are done by who follows their
+// Touch tasks in scenes with forces between atoms, on small molecules of ions: they are done by who follows their
 // demonstration, and not by who does not feel. Oracles: Coulomb's energy and force of four charges, in closed form.
 #include <cmath>
 #include <set>
@@ -24,7 +24,7 @@ constexpr double kContact_A = 2.9;     // spheres of 1.7 A, of which the body's 
 // "salt": Cl- at the origin and Na+ 4 A beside it; the hand can hold Na+ above the first and Cl- above the second, 3.6 A
 // off. "ball": a ball of neutral atoms on whose surface one is Cl-. "row": three places 20 A apart: Na+, Cl-, and two Cl-
 // side by side.
-Expected<std::shared_ptr<const Molecule>> forceTasksMolecules(const NamedMolecule& named) {
+Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
   MoleculeByHand b;
   b.made.id = named.name;
   int number = 0;
@@ -62,16 +62,16 @@ const std::string kHeld = "in-hand: chain B\nforces: electrostatic\ndielectric: 
 const std::string kPulled = "in-hand: chain B\nforces: electrostatic\ndielectric: distance\ncoupling: 100 N/m\n";
 const std::string kProbe = "forces: electrostatic\nprobe-charge: 1\ndielectric: vacuum\n";
 
-std::vector<std::string> forceTasksErrorsOf(const std::string& lesson) {
+std::vector<std::string> errorsOf(const std::string& lesson) {
   std::vector<std::string> out;
-  for (const Problem& p : checkLesson("l.md", lesson, forceTasksMolecules).errors) out.push_back(p.text());
+  for (const Problem& p : checkLesson("l.md", lesson, molecules).errors) out.push_back(p.text());
   return out;
 }
 
 // One student at one task.
 struct Student {
   explicit Student(const std::string& lesson_text, std::uint64_t seed = 0)
-      : learner(read(lesson_text), forceTasksMolecules, [this](const LearnerEvent& e) {
+      : learner(read(lesson_text), molecules, [this](const LearnerEvent& e) {
           if (e.kind == LearnerEvent::Kind::Task || e.kind == LearnerEvent::Kind::GaveUp) last = e;
         }) {
     random = seed;
@@ -111,7 +111,7 @@ TEST_CASE(
     "of four charges in contact, -94.6 kcal/mol") {
   for (const char* keys : {"dock: file\nwithin: 2 Å\nenergy: -85", "dock: anywhere\nenergy: -85"}) {
     CAPTURE(keys);
-    CHECK(forceTasksErrorsOf(text("salt", kHeld, keys)) == std::vector<std::string>());
+    CHECK(errorsOf(text("salt", kHeld, keys)) == std::vector<std::string>());
     Student student(text("salt", kHeld, keys));
     const bool done = student.learner.doTask();
     CAPTURE(student.last.note);
@@ -165,7 +165,7 @@ TEST_CASE(
     "or "
     "with a key of a pose, are errors at their lines") {
   const auto first = [&](const std::string& scene, const std::string& keys) {
-    const std::vector<std::string> errors = forceTasksErrorsOf(text("salt", scene, keys));
+    const std::vector<std::string> errors = errorsOf(text("salt", scene, keys));
     return errors.empty() ? std::string() : errors[0];
   };
   const std::string bare = first("in-hand: chain B\n", "dock: file\nenergy: -85");
@@ -190,7 +190,7 @@ TEST_CASE(
     "and "
     "a curve that falls with the distance as their force does") {
   const std::string lesson = text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91");
-  CHECK(forceTasksErrorsOf(lesson) == std::vector<std::string>());
+  CHECK(errorsOf(lesson) == std::vector<std::string>());
   Student student(lesson);
   REQUIRE(student.task().stage().body_begins);
   CHECK(glm::distance(student.task().stage().body_begins->A, Vec3(2, 0, 2.91)) < 1e-9);
@@ -265,9 +265,9 @@ TEST_CASE(
   turner.learner.follow({{.to = in, .turned_to = kNoRotation, .placed = true, .wait_s = 0.3},
                          {.turned_to = Quat(0.5, 0.0, 0.0, std::sqrt(0.75)), .wait_s = 2.0}});
   CHECK_FALSE(turner.done());
-  CHECK(forceTasksErrorsOf(text("salt", "in-hand: chain B\n", "pull: 6 Å")).size() == 1);
-  CHECK(forceTasksErrorsOf(text("salt", "forces: all\n", "pull: 6 Å")).size() == 1);
-  CHECK(forceTasksErrorsOf(text("salt", kHeld, "pull: 2 Å")).size() == 1);
+  CHECK(errorsOf(text("salt", "in-hand: chain B\n", "pull: 6 Å")).size() == 1);
+  CHECK(errorsOf(text("salt", "forces: all\n", "pull: 6 Å")).size() == 1);
+  CHECK(errorsOf(text("salt", kHeld, "pull: 2 Å")).size() == 1);
 }
 
 TEST_CASE(
@@ -276,18 +276,17 @@ TEST_CASE(
     "ball, and a neutral probe has none") {
   for (const char* by : {"", "\nby: hold"}) {
     const std::string lesson = text("ball", kProbe, std::string("find: lowest-energy") + by);
-    CHECK(forceTasksErrorsOf(lesson) == std::vector<std::string>());
+    CHECK(errorsOf(lesson) == std::vector<std::string>());
     Student student(lesson);
     const bool done = student.learner.doTask();
     CAPTURE(student.last.note);
     CHECK(done);
     CHECK(student.figureOf("guesses") == 1.0);
   }
-  const std::vector<std::string> neutral =
-      forceTasksErrorsOf(text("ball", "forces: electrostatic\n", "find: lowest-energy"));
+  const std::vector<std::string> neutral = errorsOf(text("ball", "forces: electrostatic\n", "find: lowest-energy"));
   REQUIRE(neutral.size() == 1);
   CHECK(neutral[0].find("nothing attracts the probe") != std::string::npos);
-  CHECK(forceTasksErrorsOf(text("ball", "", "find: lowest-energy")).size() == 1);
+  CHECK(errorsOf(text("ball", "", "find: lowest-energy")).size() == 1);
   // A named atom is found in such a scene as in another.
   Student atom(text("ball", kProbe, "find: name CL"));
   CHECK(atom.learner.doTask());
@@ -302,7 +301,7 @@ TEST_CASE(
   constexpr int kStudents = 200;
   std::uint64_t random = 20261126;
   const Lesson read = *Student::read(lesson);
-  const auto molecule = *forceTasksMolecules({"ball"});
+  const auto molecule = *molecules({"ball"});
   const auto forces = sceneForces(read.steps[0].scene, molecule, {}, nullptr);
   REQUIRE(forces);
   for (int k = 0; k < kStudents; ++k) {
@@ -333,7 +332,7 @@ TEST_CASE(
     "a hand of a mouse that hovers in the field neither feels a place nor changes the one it felt; one that presses "
     "does") {
   const Lesson read = *Student::read(text("ball", kProbe, "find: lowest-energy"));
-  const auto molecule = *forceTasksMolecules({"ball"});
+  const auto molecule = *molecules({"ball"});
   const auto t = makeTask(read.steps[0].tasks[0], *molecule);
   t->takeForces(sceneForces(read.steps[0].scene, molecule, {}, nullptr));
   TouchSample s;
@@ -362,7 +361,7 @@ TEST_CASE(
   for (const char* order : {"chain A then chain B then chain C", "chain C then chain B then chain A"}) {
     const std::string lesson =
         text("row", kProbe, std::string("order: ") + order + "\nby: energy\nfirst: the strongest\nfor: 0.2 s");
-    CHECK(forceTasksErrorsOf(lesson) == std::vector<std::string>());
+    CHECK(errorsOf(lesson) == std::vector<std::string>());
     Student student(lesson);
     const bool done = student.learner.doTask();
     CAPTURE(student.last.note);
@@ -373,7 +372,7 @@ TEST_CASE(
   const Lesson read = *Student::read(
       text("row", kProbe,
            "order: chain A then chain B then chain C\nby: energy\nfirst: the strongest\nfor: 0.2 s\nattempts: 1"));
-  const auto molecule = *forceTasksMolecules({"row"});
+  const auto molecule = *molecules({"row"});
   int solved = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const auto t = makeTask(read.steps[0].tasks[0], *molecule);
@@ -396,7 +395,7 @@ TEST_CASE(
   // One order in six.
   CHECK(solved > 300 / 6 - 35);
   CHECK(solved < 300 / 6 + 35);
-  const std::vector<std::string> equal = forceTasksErrorsOf(
+  const std::vector<std::string> equal = errorsOf(
       text("salt", kProbe, "order: chain A and name CL then chain B and name CL\nby: energy\nfirst: the strongest"));
   REQUIRE(equal.size() == 1);
   CHECK(equal[0].find("two places bind the probe nearly alike") != std::string::npos);
@@ -407,7 +406,7 @@ TEST_CASE(
     "is "
     "felt") {
   const std::string lesson = text("ball", kProbe, "same: name CL\nforces: none\ntrials: 8\nfor: 0.3 s");
-  CHECK(forceTasksErrorsOf(lesson) == std::vector<std::string>());
+  CHECK(errorsOf(lesson) == std::vector<std::string>());
   Student student(lesson);
   const bool done = student.learner.doTask();
   CAPTURE(student.last.note);
@@ -416,7 +415,7 @@ TEST_CASE(
   CHECK(student.figureOf("right") == 8.0);
   // What a place counts as depends neither on a contact nor on the energy.
   const Lesson read = *Student::read(lesson);
-  const auto molecule = *forceTasksMolecules({"ball"});
+  const auto molecule = *molecules({"ball"});
   const Vec3 charge = evenDirection(0, 60);
   std::set<std::string> said;
   for (const bool touching : {false, true})

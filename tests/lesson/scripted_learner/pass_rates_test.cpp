@@ -18,7 +18,7 @@ using namespace moltact;
 
 namespace {
 
-constexpr int kPassRatesTries = 200;
+constexpr int kTries = 200;
 constexpr double kFar_A = 14.0;
 
 // Six spheres of 1.5 A, 3 A round the z axis, in `rings` planes 2.2 A apart; beside them a stick of three spheres 1.6 A
@@ -39,9 +39,9 @@ Molecule tube(int rings) {
 }
 
 // One step with the task and a student who follows plans.
-class PassRatesStudent {
+class Student {
  public:
-  PassRatesStudent(int rings, bool body)
+  Student(int rings, bool body)
       : learner_(
             lesson(rings, body),
             [rings](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
@@ -88,20 +88,20 @@ Rates ratesOf(int rings, bool body) {
   Rates out;
   // Put down on one side, then on the other.
   for (const double far_A : {4.0, 8.0})
-    out.looker = out.looker || PassRatesStudent(rings, body)
+    out.looker = out.looker || Student(rings, body)
                                    .passes({{.to = PointA{{0, 0, far_A}}, .placed = true, .wait_s = 0.5},
                                             {.to = PointA{{0, 0, 0}}, .placed = true, .wait_s = 0.5},
                                             {.to = PointA{{0, 0, -far_A}}, .placed = true, .wait_s = 0.5}});
   std::uint64_t random = 20261127;
-  for (int k = 0; k < kPassRatesTries; ++k) {
-    const Vec3 side = kFar_A * evenDirection(k, kPassRatesTries);
+  for (int k = 0; k < kTries; ++k) {
+    const Vec3 side = kFar_A * evenDirection(k, kTries);
     const Quat turned = body ? randomOrientation(random) : kNoRotation;
-    out.guesser += PassRatesStudent(rings, body).passes(lead(side, -side, turned, 0.3)) / double(kPassRatesTries);
+    out.guesser += Student(rings, body).passes(lead(side, -side, turned, 0.3)) / double(kTries);
     // Any place within the ring's outer radius, reached straight from that side and pressed by 2 A.
     const double r = 4.5 * std::sqrt(nextFraction(random)), angle = 6.283185307179586 * nextFraction(random);
     const Vec3 at(r * std::cos(angle), r * std::sin(angle), 0);
-    out.jabber += PassRatesStudent(rings, body).passes(lead(at + side, at - 2.0 * glm::normalize(side), turned, 0.3)) /
-                  double(kPassRatesTries);
+    out.jabber +=
+        Student(rings, body).passes(lead(at + side, at - 2.0 * glm::normalize(side), turned, 0.3)) / double(kTries);
   }
   return out;
 }
@@ -115,7 +115,7 @@ TEST_CASE(
   std::string table;
   const auto row = [&](const char* name, int rings, bool body) {
     CAPTURE(name);
-    CHECK(PassRatesStudent(rings, body).demonstrates());
+    CHECK(Student(rings, body).demonstrates());
     const Rates out = ratesOf(rings, body);
     char line[120];
     std::snprintf(line, sizeof line, "%6d %6.1f %6.1f  %s\n", int(out.looker), 100 * out.guesser, 100 * out.jabber,

@@ -1,4 +1,4 @@
-// A scripted learner on small scriptedLearnerMolecules, with lessons as texts; no window, virtual clock.
+// A scripted learner on small molecules, with lessons as texts; no window, virtual clock.
 #include "engine/lesson/scripted_learner/scripted_learner.h"
 
 #include <doctest/doctest.h>
@@ -15,11 +15,11 @@ using namespace moltact;
 
 namespace {
 
-const std::string kScriptedLearnerHead =
+const std::string kHead =
     "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: pair, cage, ring, well\nauthor: A\nlicence: L\n---\n";
 
-std::shared_ptr<const Lesson> scriptedLearnerLesson(const std::string& body) {
-  LessonReading read = readLessonText("l.md", kScriptedLearnerHead + body);
+std::shared_ptr<const Lesson> lesson(const std::string& body) {
+  LessonReading read = readLessonText("l.md", kHead + body);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   REQUIRE(read.lesson);
   return std::make_shared<const Lesson>(*std::move(read.lesson));
@@ -28,7 +28,7 @@ std::shared_ptr<const Lesson> scriptedLearnerLesson(const std::string& body) {
 /// "pair": two spheres of 1.88 A side by side; "cage": a small atom wholly inside a large one; "ring": six spheres of 1.5 A
 /// 3 A round the z axis, through which a probe of 1.5 A passes; "well": the same with a sphere of 1 A
 /// on a floor behind its middle, which a probe of 2.25 A just comes to.
-Expected<std::shared_ptr<const Molecule>> scriptedLearnerMolecules(const NamedMolecule& named) {
+Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
   const std::string& name = named.name;
   MoleculeByHand b;
   if (name == "pair")
@@ -60,8 +60,7 @@ struct Played {
 Played demonstrate(const std::string& body, ScriptedLearner::Options options = {}) {
   Played out;
   ScriptedLearner learner(
-      scriptedLearnerLesson(body), scriptedLearnerMolecules, [&](const LearnerEvent& e) { out.events.push_back(e); },
-      options);
+      lesson(body), molecules, [&](const LearnerEvent& e) { out.events.push_back(e); }, options);
   out.finished = learner.demonstrate();
   out.time_s = learner.time_s();
   return out;
@@ -71,15 +70,14 @@ Played play(const std::string& body, const std::string& answers) {
   Played out;
   const AnswersReading read = readAnswers("a.txt", answers);
   REQUIRE_MESSAGE(read.problems.empty(), read.problems.front().text());
-  ScriptedLearner learner(scriptedLearnerLesson(body), scriptedLearnerMolecules,
-                          [&](const LearnerEvent& e) { out.events.push_back(e); });
+  ScriptedLearner learner(lesson(body), molecules, [&](const LearnerEvent& e) { out.events.push_back(e); });
   out.problems = carryOut(learner, read.acts, "a.txt");
   out.finished = learner.session().finished();
   out.time_s = learner.time_s();
   return out;
 }
 
-std::string scriptedLearnerStep(const std::string& tasks, const std::string& molecule = "pair") {
+std::string step(const std::string& tasks, const std::string& molecule = "pair") {
   return "## A step\n```scene\nmolecule: " + molecule + "\n```\n" + tasks;
 }
 std::string touch(const std::string& keys) { return "```touch\n" + keys + "\nsay: Do it.\n```\n"; }
@@ -91,7 +89,7 @@ using Kind = LearnerEvent::Kind;
 TEST_CASE(
     "an answer to a question that is answered, or one that is no number, is not taken: it is neither "
     "right nor wrong, and the reason is reported") {
-  const std::string questions = scriptedLearnerStep("") +
+  const std::string questions = step("") +
                                 "### Question: Which?\n\n- [x] This → Right so.\n- [ ] That → No.\n\n### Question: How "
                                 "many?\n\n```answer\nnumber: 3\ntolerance: 0\nright: Right so.\n```\n";
   const Played played = play(questions, "answer 1: 1\nanswer 1: 2\nanswer 2: many\nanswer 2: 3\nanswer 2: 4\n");
@@ -132,7 +130,7 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
   for (const auto& [kind, keys] : all) {
     CAPTURE(keys);
     kinds.insert(kind);
-    const Played p = demonstrate(scriptedLearnerStep(touch(keys)));
+    const Played p = demonstrate(step(touch(keys)));
     if (const LearnerEvent* gave_up = p.find(Kind::GaveUp)) MESSAGE(gave_up->note);
     CHECK(p.finished);
     CHECK(p.time_s <= 30.0);
@@ -143,13 +141,12 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
        {"fit: all\nway: through\nmost: 3 Å", "fit: all\nway: through\nmost: 3 Å\nwant: smallest",
         "fit: atom 6\nleast: 0.5 Å\nmost: 4 Å", "fit: atom 6\nwant: smallest\nleast: 0.5 Å\nmost: 4 Å"}) {
     CAPTURE(keys);
-    const Played p =
-        demonstrate(scriptedLearnerStep(touch(keys), std::string(keys).starts_with("fit: all") ? "ring" : "well"));
+    const Played p = demonstrate(step(touch(keys), std::string(keys).starts_with("fit: all") ? "ring" : "well"));
     if (const LearnerEvent* gave_up = p.find(Kind::GaveUp)) MESSAGE(gave_up->note);
     CHECK(p.finished);
     CHECK(p.time_s <= 30.0);
   }
-  const Played passes = demonstrate(scriptedLearnerStep(touch("pass: all"), "ring"));
+  const Played passes = demonstrate(step(touch("pass: all"), "ring"));
   if (const LearnerEvent* gave_up = passes.find(Kind::GaveUp)) MESSAGE(gave_up->note);
   CHECK(passes.finished);
   const Played docks =
@@ -165,7 +162,7 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
 
 TEST_CASE(
     "the spring of the virtual hand is the scene's: pressing until 1.5 N reads 1.5 to 1.8 N in the task's figures") {
-  const Played p = demonstrate(scriptedLearnerStep(touch("press: atom 0\nuntil: 1.5 N")));
+  const Played p = demonstrate(step(touch("press: atom 0\nuntil: 1.5 N")));
   const LearnerEvent* done = p.find(Kind::Task);
   REQUIRE(done);
   for (const TaskFigure& f : done->figures)
@@ -177,7 +174,7 @@ TEST_CASE(
 
 TEST_CASE(
     "an atom that no probe can reach is given up with its step and task, and the rest of the lesson is still done") {
-  const Played p = demonstrate(scriptedLearnerStep(touch("reach: atom 0") + touch("reach: atom 1"), "cage") +
+  const Played p = demonstrate(step(touch("reach: atom 0") + touch("reach: atom 1"), "cage") +
                                "### Question: Q?\n- [x] a\n- [ ] b\n## Next step\n```scene\nmolecule: pair\n```\n" +
                                touch("reach: atom 0"));
   CHECK_FALSE(p.finished);
@@ -194,8 +191,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a force of 15 N that no hand is given is given up after 20 s on the virtual clock where that is the limit") {
-  const Played p =
-      demonstrate(scriptedLearnerStep(touch("press: atom 0\nuntil: 15 N")), {.task_s = 20.0, .attempts = 1000});
+  const Played p = demonstrate(step(touch("press: atom 0\nuntil: 15 N")), {.task_s = 20.0, .attempts = 1000});
   CHECK_FALSE(p.finished);
   REQUIRE(p.find(Kind::GaveUp));
   CHECK(p.time_s == doctest::Approx(20.0).epsilon(0.01));
@@ -204,7 +200,7 @@ TEST_CASE("a force of 15 N that no hand is given is given up after 20 s on the v
 
 TEST_CASE("an atom that a task takes out is not felt until it is put back") {
   VirtualTouch touch;
-  touch.begin(*scriptedLearnerMolecules({"pair"}), SceneSpec());
+  touch.begin(*molecules({"pair"}), SceneSpec());
   const auto felt = [&] {
     touch.place({{{-8.0, 0.0, 0.0}}});
     bool met = false;
@@ -228,7 +224,7 @@ TEST_CASE("a molecule that is not there is fault at its place in the lesson, and
   CHECK(p.finished);
   Played out;
   ScriptedLearner learner(
-      scriptedLearnerLesson(scriptedLearnerStep(touch("reach: all"))),
+      lesson(step(touch("reach: all"))),
       [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
         return Problem{{}, 0, 0, "gone", {}};
       },
@@ -241,8 +237,8 @@ TEST_CASE("a molecule that is not there is fault at its place in the lesson, and
 TEST_CASE(
     "a script touches, presses, slides, gives a wrong answer that is reported and a right one, and finishes the "
     "lesson") {
-  const std::string body = scriptedLearnerStep(touch("reach: atom 0") + touch("press: atom 0\nuntil: 0.8 N") +
-                                               touch("cross: atom 0\nto: atom 1\ndirection: either")) +
+  const std::string body = step(touch("reach: atom 0") + touch("press: atom 0\nuntil: 0.8 N") +
+                                touch("cross: atom 0\nto: atom 1\ndirection: either")) +
                            "### Question: How many?\n- [ ] One -> No.\n- [x] Two -> Yes.\n### Question: "
                            "Radius?\n```answer\nnumber: 1.88 Å\ntolerance: 0.1 Å\n```\n";
   const Played p = play(body,
@@ -259,12 +255,12 @@ TEST_CASE(
 }
 
 TEST_CASE("a script finds in the dark, distinguishes same from different and draws a curve") {
-  const Played p = play(scriptedLearnerStep(touch("find: atom 1") +
-                                            touch("same: atom 0\nplace: atom 1\ntrials: 2\nright: 1\nfor: 0.2 s") +
-                                            touch("predict: atom 0\ndeep: 1 Å")),
-                        "touch atom 0\nsay here\ntouch atom 1\nsay here\n"
-                        "do\n"
-                        "draw 0 N, 3.3 N\ntouch atom 0\npress 0.01 N\npress 3.4 N\n");
+  const Played p =
+      play(step(touch("find: atom 1") + touch("same: atom 0\nplace: atom 1\ntrials: 2\nright: 1\nfor: 0.2 s") +
+                touch("predict: atom 0\ndeep: 1 Å")),
+           "touch atom 0\nsay here\ntouch atom 1\nsay here\n"
+           "do\n"
+           "draw 0 N, 3.3 N\ntouch atom 0\npress 0.01 N\npress 3.4 N\n");
   for (const Problem& problem : p.problems) MESSAGE(problem.text());
   CHECK(p.problems.empty());
   CHECK(p.finished);
@@ -272,7 +268,7 @@ TEST_CASE("a script finds in the dark, distinguishes same from different and dra
 
 TEST_CASE("what a script refers to and the lesson lacks is reported at its line, and the rest continues") {
   const Played p = play(
-      scriptedLearnerStep(touch("reach: atom 0")) + "### Question: Q?\n- [x] a\n- [ ] b\n",
+      step(touch("reach: atom 0")) + "### Question: Q?\n- [x] a\n- [ ] b\n",
       "slide atom 0\nanswer what: a\nanswer q: c\nsay here\ntouch element Xe\nnext\ndraw 1 N\ndo\ndo\nanswer q: a\n");
   std::vector<std::string> reported;
   for (const Problem& problem : p.problems) reported.push_back(problem.text());
