@@ -26,14 +26,14 @@ struct Folder {
   }
 };
 
-struct CheckRun {
+struct Run {
   int status = -1;
   std::string out;  ///< both streams together
 };
 
 /// Runs `moltact ARGUMENTS` in a folder.
-CheckRun runMoltact(const fs::path& folder, const std::string& arguments) {
-  CheckRun run;
+Run runMoltact(const fs::path& folder, const std::string& arguments) {
+  Run run;
   const std::string line = "cd '" + folder.string() +
                            "' && MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' '" MOLTACT_BINARY "' " + arguments + " 2>&1";
   FILE* pipe = ::popen(line.c_str(), "r");
@@ -52,7 +52,7 @@ const std::string kGood =
 TEST_CASE("a lesson with three faults gives each with its line and a caret, and exit status 1") {
   const Folder folder;
   folder.write("l.md", kGood + "```touch\nreech: all\n```\nÅ [on](#two)\n```touch\n\treach: protein\n\tsay: S\n```\n");
-  const CheckRun run = runMoltact(folder.path, "check l.md");
+  const Run run = runMoltact(folder.path, "check l.md");
   CHECK(run.status == 1);
   CHECK(run.out ==
         "l.md:15:1: error: touch has no key 'reech'; did you mean 'reach'?\nreech: all\n^\n"
@@ -66,7 +66,7 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
   folder.write("a.md", kGood);
   folder.write("b.md", kGood + "```scenes\n```\n");
   folder.write("README.md", "# Lessons\n");
-  const CheckRun run = runMoltact(folder.path, "check .");
+  const Run run = runMoltact(folder.path, "check .");
   CHECK(run.status == 0);
   CHECK(run.out ==
         "./a.md: note: the lesson has no teacher's kit; write what only you can know into ./kits/a.md; "
@@ -88,7 +88,7 @@ TEST_CASE(
   folder.write("glossary.md", "- **pit**: Three atoms at once.\n");
   folder.write("glossary.de.md", "- **Mulde**: Drei Atome zugleich.\n");
   folder.write("README.md", "# Lessons\n");
-  const CheckRun run = runMoltact(folder.path, "check *.md");
+  const Run run = runMoltact(folder.path, "check *.md");
   CHECK(run.status == 0);
   CHECK(run.out ==
         "a.md: note: the lesson has no teacher's kit; write what only you can know into kits/a.md; "
@@ -97,7 +97,7 @@ TEST_CASE(
         "README.md: no lesson, passed over\n1 lesson checked: no errors\n");
   CHECK(runMoltact(folder.path, "check glossary.md").out == "0 lessons checked: no errors\n");
   folder.write("glossary.md", "- **pit** Three atoms at once.\n");
-  const CheckRun wrong = runMoltact(folder.path, "check glossary.md");
+  const Run wrong = runMoltact(folder.path, "check glossary.md");
   CHECK(wrong.status == 1);
   CHECK(wrong.out.starts_with("glossary.md:1:"));
   folder.write("notes.md", "# Notes\n");
@@ -108,7 +108,7 @@ TEST_CASE("--json prints one document with place, severity, message and remedy o
   const Folder folder;
   folder.write("l.md",
                kGood + "```touch\nreach: all\nsay: S\nnear: 4\n```\n### Question: Q?\n- [x] a\n- [ ] b → No.\n");
-  const CheckRun run = runMoltact(folder.path, "check l.md gone.md --json");
+  const Run run = runMoltact(folder.path, "check l.md gone.md --json");
   CHECK(run.status == 1);
   const auto json = nlohmann::json::parse(run.out);
   CHECK(json["lessons"] == 1);
@@ -156,7 +156,7 @@ TEST_CASE("of a line of 300 letters, 96 round the caret are shown") {
 
 TEST_CASE("a new lesson is written once, passes the check, and is not overwritten") {
   const Folder folder;
-  const CheckRun made = runMoltact(folder.path, "new-lesson 'Haem pockets' --folder mine");
+  const Run made = runMoltact(folder.path, "new-lesson 'Haem pockets' --folder mine");
   CHECK(made.status == 0);
   CHECK(made.out.starts_with("mine/haem-pockets.md is written."));
   CHECK(runMoltact(folder.path, "check mine").out ==
@@ -164,7 +164,7 @@ TEST_CASE("a new lesson is written once, passes the check, and is not overwritte
         "mine/kits/haem-pockets.md; docs/teachers-kit.md tells how\n"
         "mine/haem-pockets.md: 2 min for the core, 2 min with all steps\n1 lesson checked: no errors\n");
   folder.write("mine/haem-pockets.md", "my work");
-  const CheckRun again = runMoltact(folder.path, "new-lesson haem-pockets --folder mine");
+  const Run again = runMoltact(folder.path, "new-lesson haem-pockets --folder mine");
   CHECK(again.status == 1);
   CHECK(again.out == "moltact: mine/haem-pockets.md is there already and stays as it is; choose another name\n");
   CHECK(fs::file_size(folder.path / "mine/haem-pockets.md") == 7);
@@ -179,7 +179,7 @@ TEST_CASE("what a teacher's kit lacks is a note with its line, counts as no erro
   folder.write("kits/a.md",
                "## Prior knowledge\n- A\n## What touch shows\n- B\n## Limits of the model\n- C\n## What to ask\n"
                "- [One](../a.md#one): Why? *So.*\n## Exit ticket\n### Question: Q?\n- [x] a\n- [ ] b\n");
-  const CheckRun run = runMoltact(folder.path, "check .");
+  const Run run = runMoltact(folder.path, "check .");
   CHECK(run.status == 0);
   CHECK(run.out ==
         "./kits/a.md: note: the exit ticket has 1 question; write three below '## Exit ticket'\n"

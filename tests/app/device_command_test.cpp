@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct DeviceRun {
+struct Run {
   int status = -1;
   std::string out, err;
 };
@@ -27,13 +27,12 @@ fs::path scratch(const char* name) {
   return fs::temp_directory_path() / ("moltact-device-" + std::to_string(::getpid()) + name);
 }
 
-DeviceRun moltact(const std::string& arguments, const std::string& before = "",
-                  const std::string& input = "</dev/null") {
+Run moltact(const std::string& arguments, const std::string& before = "", const std::string& input = "</dev/null") {
   const fs::path out = scratch(".out"), err = scratch(".err");
   const int status = std::system((before + " '" MOLTACT_BINARY "' " + arguments + ' ' + input + " >'" + out.string() +
                                   "' 2>'" + err.string() + "'")
                                      .c_str());
-  const DeviceRun run{WEXITSTATUS(status), contents(out), contents(err)};
+  const Run run{WEXITSTATUS(status), contents(out), contents(err)};
   fs::remove(out);
   fs::remove(err);
   return run;
@@ -44,7 +43,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 }  // namespace
 
 TEST_CASE("moltact devices lists every driver, one default, and a reason for each that cannot be used") {
-  const DeviceRun json = moltact("devices --json");
+  const Run json = moltact("devices --json");
   REQUIRE(json.status == 0);
   const auto all = nlohmann::json::parse(json.out);
   CHECK(all.size() >= 6);
@@ -67,15 +66,15 @@ TEST_CASE("moltact devices lists every driver, one default, and a reason for eac
 }
 
 TEST_CASE("moltact device check passes the simulated stylus with --yes, and without an answer gives no force") {
-  const DeviceRun yes = moltact("device check simulated --yes --seconds 0.6");
+  const Run yes = moltact("device check simulated --yes --seconds 0.6");
   CHECK(yes.status == 0);
   CHECK(contains(yes.out, "passed   wall"));
-  const DeviceRun none = moltact("device check simulated --seconds 0.2");
+  const Run none = moltact("device check simulated --seconds 0.2");
   CHECK(none.status == 3);
   CHECK(contains(none.out, "passed   places at rest"));
   CHECK(contains(none.out, "left out gentle pull"));
   CHECK(contains(none.err, "the device's force was not checked"));
-  const DeviceRun unknown = moltact("device check phantom");
+  const Run unknown = moltact("device check phantom");
   CHECK(unknown.status == 1);
   CHECK(contains(unknown.err, "these are known"));
 }
@@ -92,7 +91,7 @@ TEST_CASE(
     "an answer nothing else is, which the exit status says") {
   const fs::path log = scratch(".log"), keys = scratch(".keys");
   std::ofstream(keys) << "\n";
-  const DeviceRun run =
+  const Run run =
       moltact("device check omni --seconds 2", standIn(log, "STAND_IN_STYLE=1"), "<'" + keys.string() + "'");
   CHECK(contains(
       run.out,
@@ -107,7 +106,7 @@ TEST_CASE(
 }
 
 // Runs it, and interrupts it when it has written `sign`.
-DeviceRun interrupted(const std::string& arguments, const std::string& before, const std::string& sign) {
+Run interrupted(const std::string& arguments, const std::string& before, const std::string& sign) {
   const fs::path out = scratch(".out"), err = scratch(".err");
   fs::remove(out);
   const std::string command = before + " '" MOLTACT_BINARY "' " + arguments + " </dev/null >'" + out.string() +
@@ -115,7 +114,7 @@ DeviceRun interrupted(const std::string& arguments, const std::string& before, c
                               "' '" + out.string() +
                               "' 2>/dev/null && break; sleep 0.1; done; sleep 0.5; kill -INT $pid; wait $pid";
   const int status = std::system(command.c_str());
-  const DeviceRun run{WEXITSTATUS(status), contents(out), contents(err)};
+  const Run run{WEXITSTATUS(status), contents(out), contents(err)};
   fs::remove(out);
   fs::remove(err);
   return run;
@@ -125,13 +124,13 @@ TEST_CASE(
     "Ctrl-C in a check and in a recording: the device is closed in order, without force, and what was recorded until "
     "then is kept") {
   const fs::path log = scratch(".log"), file = scratch(".recording");
-  const DeviceRun check = interrupted("device check omni --yes --seconds 600", standIn(log), "Lay the stylus down");
+  const Run check = interrupted("device check omni --yes --seconds 600", standIn(log), "Lay the stylus down");
   CHECK(check.status == 130);
   CHECK(contains(check.out, "FAILED   places at rest: broken off"));
   CHECK(contains(check.out, "left out gentle pull"));
   CHECK(contains(check.err, "broken off; the device was closed without force"));
   CHECK(contains(contents(log), " N at most, 0 N at the stop, 0 errors"));
-  const DeviceRun record =
+  const Run record =
       interrupted("device record omni 1ubq --seconds 600 --out '" + file.string() + "'", standIn(log), "Recording");
   CHECK(record.status == 0);
   CHECK(contains(contents(log), " N at most, 0 N at the stop"));
@@ -141,7 +140,7 @@ TEST_CASE(
 }
 
 TEST_CASE("moltact device check says of the mouse that it gives no force, and no figures of one") {
-  const DeviceRun run = moltact("device check mouse --yes --seconds 0.2");
+  const Run run = moltact("device check mouse --yes --seconds 0.2");
   CHECK(contains(run.out, "it gives no force"));
   CHECK_FALSE(contains(run.out, "for a moment"));
 }

@@ -11,9 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace moltact::test;
 
-bool deviceRecordingContains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // The bytes before the first block: magic, three lengths, what they count, checksum.
 std::size_t headBytes(const std::string& file) {
@@ -28,10 +26,10 @@ TEST_CASE("a hand of 1 s recorded on ubiquitin replays to the last bit") {
   const CommandPlace place;
   const Run record = place.run("device record simulated 1ubq --seconds 1 --out a.recording");
   REQUIRE_MESSAGE(record.status == 0, record.err);
-  CHECK(deviceRecordingContains(record.out, "1000 ticks (1.00 s) in a.recording"));
+  CHECK(contains(record.out, "1000 ticks (1.00 s) in a.recording"));
   const Run replay = place.run("device replay a.recording");
   CHECK_MESSAGE(replay.status == 0, replay.err);
-  CHECK(deviceRecordingContains(replay.out, "1000 ticks: the same forces and torques to the last bit"));
+  CHECK(contains(replay.out, "1000 ticks: the same forces and torques to the last bit"));
 }
 
 TEST_CASE(
@@ -70,21 +68,21 @@ TEST_CASE(
     const Run record = place.run(std::string("device record simulated own.pdb ") + how +
                                  " --seconds 0.3 --overwrite --out a.recording");
     REQUIRE_MESSAGE(record.status == 0, record.err);
-    CHECK(deviceRecordingContains(record.out, "300 ticks (0.30 s)"));
+    CHECK(contains(record.out, "300 ticks (0.30 s)"));
     const Run replay = place.run("device replay ../a.recording", "cd elsewhere;");
     CHECK_MESSAGE(replay.status == 0, replay.err);
   }
   const Run record = place.run("device record simulated 1hpv --waters --seconds 0.3 --overwrite --out a.recording");
   REQUIRE_MESSAGE(record.status == 0, record.err);
   CHECK(place.run("device replay a.recording").status == 0);
-  CHECK(deviceRecordingContains(contents(place.folder / "a.recording"), "molecule=1hpv\n"));
+  CHECK(contains(contents(place.folder / "a.recording"), "molecule=1hpv\n"));
 
   CHECK(place.run("device record simulated own.pdb --seconds 0.3 --overwrite --out a.recording").status == 0);
   write(1.5);
   const Run other = place.run("device replay a.recording");
   CHECK(other.status == 1);
-  CHECK(deviceRecordingContains(other.err, "a.recording: the molecule"));
-  CHECK(deviceRecordingContains(other.err, "own.pdb\" is not the one any more that it was recorded on"));
+  CHECK(contains(other.err, "a.recording: the molecule"));
+  CHECK(contains(other.err, "own.pdb\" is not the one any more that it was recorded on"));
 }
 
 TEST_CASE(
@@ -96,17 +94,17 @@ TEST_CASE(
   fs::resize_file(file, fs::file_size(file) / 2);
   const Run half = place.run("device replay a.recording");
   CHECK(half.status == 1);
-  CHECK(deviceRecordingContains(half.out, " ticks: the same forces and torques to the last bit"));
-  CHECK(deviceRecordingContains(half.err, "a.recording: the recording is truncated after 0."));
+  CHECK(contains(half.out, " ticks: the same forces and torques to the last bit"));
+  CHECK(contains(half.err, "a.recording: the recording is truncated after 0."));
   fs::resize_file(file, headBytes(contents(file)));
   const Run empty = place.run("device replay a.recording");
   CHECK(empty.status == 1);
   CHECK(empty.out.empty());
-  CHECK(deviceRecordingContains(empty.err, "a.recording: the recording holds no ticks; record it again"));
+  CHECK(contains(empty.err, "a.recording: the recording holds no ticks; record it again"));
   std::ofstream(file) << "no recording";
   const Run text = place.run("device replay a.recording");
   CHECK(text.status == 1);
-  CHECK(deviceRecordingContains(text.err, "a.recording: this is no recording of a device"));
+  CHECK(contains(text.err, "a.recording: this is no recording of a device"));
 }
 
 TEST_CASE(
@@ -116,29 +114,28 @@ TEST_CASE(
   std::ofstream(place.folder / "a.recording") << "dear";
   const Run kept = place.run("device record simulated 1ubq --seconds 0.2 --out a.recording");
   CHECK(kept.status == 1);
-  CHECK(deviceRecordingContains(
-      kept.err,
-      "a.recording is there already and stays as it is; choose another name, or replace it with --overwrite"));
-  CHECK_FALSE(deviceRecordingContains(kept.out, "Recording"));
+  CHECK(
+      contains(kept.err,
+               "a.recording is there already and stays as it is; choose another name, or replace it with --overwrite"));
+  CHECK_FALSE(contains(kept.out, "Recording"));
   CHECK(contents(place.folder / "a.recording") == "dear");
   CHECK(place.run("device record simulated 1ubq --seconds 0.2 --overwrite --out a.recording").status == 0);
   CHECK(place.run("device replay a.recording").status == 0);
   const Run nowhere = place.run("device record simulated 1ubq --seconds 0.2 --out nowhere/a.recording");
   CHECK(nowhere.status == 1);
-  CHECK(deviceRecordingContains(nowhere.err, "nowhere/a.recording: its folder is not there"));
-  CHECK_FALSE(deviceRecordingContains(nowhere.out, "Recording"));
+  CHECK(contains(nowhere.err, "nowhere/a.recording: its folder is not there"));
+  CHECK_FALSE(contains(nowhere.out, "Recording"));
 }
 
 TEST_CASE("a recording of an hour ends when the file cannot grow any more, says so, and what is kept replays") {
   const CommandPlace place;
   const Run full = place.run("device record simulated 1ubq --seconds 3600 --out a.recording", "ulimit -f 200;");
   CHECK(full.status == 1);
-  CHECK(deviceRecordingContains(
-      full.err, "a.recording: it would grow larger than files may be here; raise that limit (ulimit -f)"));
-  CHECK(deviceRecordingContains(full.err, " s) are kept in the file"));
+  CHECK(contains(full.err, "a.recording: it would grow larger than files may be here; raise that limit (ulimit -f)"));
+  CHECK(contains(full.err, " s) are kept in the file"));
   const Run replay = place.run("device replay a.recording");
   CHECK(replay.status == 0);
-  CHECK(deviceRecordingContains(replay.out, " ticks: the same forces and torques to the last bit"));
+  CHECK(contains(replay.out, " ticks: the same forces and torques to the last bit"));
 }
 
 TEST_CASE("a device that is silent for the whole recording: the time is reported, and the recording fails") {
@@ -147,8 +144,8 @@ TEST_CASE("a device that is silent for the whole recording: the time is reported
   const Run silent = place.run("device record omni 1ubq --seconds 0.5 --out a.recording",
                                "env MOLTACT_LIBHD='" MOLTACT_STAND_IN_LIBHD "'");
   CHECK(silent.status == 1);
-  CHECK(deviceRecordingContains(silent.out, " s: The device was gone, and the mouse stood in for it."));
-  CHECK(deviceRecordingContains(silent.err, "the device led no tick of this recording"));
+  CHECK(contains(silent.out, " s: The device was gone, and the mouse stood in for it."));
+  CHECK(contains(silent.err, "the device led no tick of this recording"));
 }
 
 TEST_CASE(
@@ -160,13 +157,13 @@ TEST_CASE(
   const std::string record = "device record omni 1ubq --seconds 0.5 --out a.recording";
   const Run never = place.run(record + " --wait 1", omni);
   CHECK(never.status == 1);
-  CHECK(deviceRecordingContains(never.out, "Then press Enter."));
-  CHECK_FALSE(deviceRecordingContains(never.out, "Recording"));
-  CHECK(deviceRecordingContains(
-      never.err, "omni: it was not ready within 1 s, and nothing was recorded; Hold the arm in its resting place"));
+  CHECK(contains(never.out, "Then press Enter."));
+  CHECK_FALSE(contains(never.out, "Recording"));
+  CHECK(contains(never.err,
+                 "omni: it was not ready within 1 s, and nothing was recorded; Hold the arm in its resting place"));
   CHECK_FALSE(fs::exists(place.folder / "a.recording"));
   const Run entered = place.run(record + " --wait 20", omni, "\n");
   CHECK_MESSAGE(entered.status == 0, entered.err);
-  CHECK(deviceRecordingContains(entered.out, "500 ticks (0.50 s) in a.recording"));
+  CHECK(contains(entered.out, "500 ticks (0.50 s) in a.recording"));
   CHECK(place.run("device replay a.recording").status == 0);
 }

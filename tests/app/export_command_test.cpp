@@ -15,10 +15,10 @@ using namespace moltact;
 
 namespace {
 
-const std::filesystem::path kExported = std::filesystem::temp_directory_path() / "moltact-export-command.glb";
+const std::filesystem::path kOut = std::filesystem::temp_directory_path() / "moltact-export-command.glb";
 
 int run(const std::string& arguments) {
-  std::filesystem::remove(kExported);
+  std::filesystem::remove(kOut);
   return WEXITSTATUS(std::system(("'" MOLTACT_BINARY "' export " + arguments + " >/dev/null 2>&1").c_str()));
 }
 
@@ -27,35 +27,35 @@ int run(const std::string& arguments) {
 TEST_CASE(
     "export leaves benzene as 12 spheres or as a surface, which read back; wrong usage gives 2, a missing molecule 1, "
     "and no file") {
-  const std::string out = " '" + kExported.string() + "'";
+  const std::string out = " '" + kOut.string() + "'";
   REQUIRE(run("benzene" + out) == 0);
-  const auto spheres = readGltf(kExported);
+  const auto spheres = readGltf(kOut);
   REQUIRE(bool(spheres));
   CHECK(spheres->corners.size() == 12 * 3 * 1280);
   REQUIRE(run("benzene" + out + " --print --probe 1.4 --step 0.3") == 0);
-  const auto surface = readGltf(kExported);
+  const auto surface = readGltf(kOut);
   REQUIRE(bool(surface));
   CHECK(surface->corners.size() > 3000);
   REQUIRE(run("alpha-helix" + out + " --style 'cartoon, spheres for residue 1' --colour chain") == 0);
-  CHECK(bool(readGltf(kExported)));
+  CHECK(bool(readGltf(kOut)));
   for (const std::string wrong : {"--style wax", "--probe -1", "--step x", "--units-per-nm 0"}) {
     CAPTURE(wrong);
     CHECK(run("benzene" + out + " " + wrong) == 2);
-    CHECK_FALSE(std::filesystem::exists(kExported));
+    CHECK_FALSE(std::filesystem::exists(kOut));
   }
   CHECK(run("benzene benzene.obj") == 2);
   CHECK(run("no-such-molecule" + out) == 1);
   CHECK(run("1ubq --print --step 0.01" + out) == 1);
-  CHECK_FALSE(std::filesystem::exists(kExported));
+  CHECK_FALSE(std::filesystem::exists(kOut));
 }
 
 TEST_CASE(
     "what a scene marks, measures and moves is in an exported model too: benzene marked has two colours more, a "
     "distance of 2.8 A six dashes more, and a second state other places") {
-  const std::string out = " '" + kExported.string() + "'";
+  const std::string out = " '" + kOut.string() + "'";
   const auto exported = [&](const std::string& arguments) {
     REQUIRE(run(arguments + out) == 0);
-    auto model = readGltf(kExported);
+    auto model = readGltf(kOut);
     REQUIRE(bool(model));
     return *std::move(model);
   };
@@ -84,7 +84,7 @@ TEST_CASE(
                                   "--hydrogen-bonds 'ligand XYZ'", "--highlight 'chain Q'"}) {
     CAPTURE(wrong);
     CHECK(run("benzene" + out + " " + wrong) == 2);
-    CHECK_FALSE(std::filesystem::exists(kExported));
+    CHECK_FALSE(std::filesystem::exists(kOut));
   }
 }
 

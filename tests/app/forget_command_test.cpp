@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 using test::CommandPlace;
 using test::Run;
 
-bool forgetHas(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string attemptOf(const std::string& student) {
   AttemptHeader header = sampleHeader();
@@ -42,20 +42,20 @@ TEST_CASE(
   const Home home;
   const Run listed = home.forget("Ada");
   CHECK(listed.status == 0);
-  CHECK(forgetHas(listed.out, "attempts:\n  " + (home.attempts / "1.jsonl").string() + "\n  " +
-                                  (home.attempts / "2.jsonl").string() + "\n"));
-  CHECK(forgetHas(listed.out, "Nothing is deleted yet"));
+  CHECK(has(listed.out, "attempts:\n  " + (home.attempts / "1.jsonl").string() + "\n  " +
+                            (home.attempts / "2.jsonl").string() + "\n"));
+  CHECK(has(listed.out, "Nothing is deleted yet"));
   CHECK(fs::exists(home.attempts / "1.jsonl"));
   const Run done = home.forget("Ada --yes");
   CHECK(done.status == 0);
   CHECK(done.err.empty());
-  CHECK(forgetHas(done.out, "All of this is deleted."));
+  CHECK(has(done.out, "All of this is deleted."));
   CHECK_FALSE(fs::exists(home.attempts / "1.jsonl"));
   CHECK_FALSE(fs::exists(home.attempts / "2.jsonl"));
   CHECK(fs::exists(home.attempts / "3.jsonl"));
   const Run again = home.forget("Ada --yes");
   CHECK(again.status == 1);
-  CHECK(forgetHas(again.err, "there is nothing of 'Ada' to delete"));
+  CHECK(has(again.err, "there is nothing of 'Ada' to delete"));
 }
 
 TEST_CASE("forget removes a guess from the attempts of others, and deletes a report that report itself has written") {
@@ -64,26 +64,25 @@ TEST_CASE("forget removes a guess from the attempts of others, and deletes a rep
   REQUIRE(home.run("report share --anonymous --html codes.html").status == 0);
   const Run done = home.forget("Bo . --yes");  // Bo has only predicted, in all three attempts
   CHECK(done.status == 0);
-  CHECK(forgetHas(done.out, "attempts of others, which lose this student's predictions:\n"));
-  CHECK(forgetHas(done.out, "reports that name the student:\n  ./class.html\n"));
+  CHECK(has(done.out, "attempts of others, which lose this student's predictions:\n"));
+  CHECK(has(done.out, "reports that name the student:\n  ./class.html\n"));
   CHECK_FALSE(fs::exists(home.folder / "class.html"));
   CHECK(fs::exists(home.folder / "marks.csv"));  // a row for each student with an attempt
   CHECK(fs::exists(home.folder / "codes.html"));
   for (const char* attempt : {"1.jsonl", "2.jsonl", "3.jsonl"})
-    CHECK_FALSE(forgetHas(bytesOf(home.attempts / attempt), "\"Bo\""));
+    CHECK_FALSE(has(bytesOf(home.attempts / attempt), "\"Bo\""));
   CHECK(home.run("report share --csv after.csv").status == 0);
 }
 
 TEST_CASE("forget without a name, without results or with a name in other letters says what to do") {
   const Home home;
   CHECK(home.forget("").status == 2);
-  CHECK(forgetHas(home.forget("' '").err, "name the student"));
+  CHECK(has(home.forget("' '").err, "name the student"));
   const Run alike = home.forget("ada");
   CHECK(alike.status == 1);
-  CHECK(forgetHas(alike.err, "there are also attempts of 'Ada', which is another name"));
-  CHECK(forgetHas(home.forget("Ada no-such-folder").err, "there is no such file or folder"));
-  CHECK(
-      forgetHas(home.run("forget Ada", "export XDG_DATA_HOME=/nowhere;").err, "there are no results on this computer"));
+  CHECK(has(alike.err, "there are also attempts of 'Ada', which is another name"));
+  CHECK(has(home.forget("Ada no-such-folder").err, "there is no such file or folder"));
+  CHECK(has(home.run("forget Ada", "export XDG_DATA_HOME=/nowhere;").err, "there are no results on this computer"));
 }
 
 }  // namespace moltact

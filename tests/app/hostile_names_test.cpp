@@ -54,9 +54,9 @@ const std::string kCif =
     "id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nHETATM C '" +
     kText + "' '" + kText + "' 0 0 0\nHETATM N '" + kText + "' '" + kText + "' 2 0 0\n";
 
-const std::string kHostileNamesLesson = "---\ntitle: " + kText + "\nmolecule: " + "own.pdb\n---\n\n# " + kText +
-                                        "\n\nText " + kText + "\n\n## Question: " + kText + "?\n\n- [ ] " + kText +
-                                        " a\n- [x] " + kText + " b\n\n```" + kText + "\nkey " + kText + ": 1\n```\n";
+const std::string kLesson = "---\ntitle: " + kText + "\nmolecule: " + "own.pdb\n---\n\n# " + kText + "\n\nText " +
+                            kText + "\n\n## Question: " + kText + "?\n\n- [ ] " + kText + " a\n- [x] " + kText +
+                            " b\n\n```" + kText + "\nkey " + kText + ": 1\n```\n";
 
 std::string newLesson(const CommandPlace& place) {
   place.run("new-lesson 'A good one' --folder made");
@@ -77,7 +77,7 @@ TEST_CASE("every command, given hostile names and files, prints no control chara
   put("bad.pdb", "ATOM  " + kText + "\n");
   put("bad.cif", "data_x\nloop_\n_" + kText + "\n'" + kText + "\n");
   put("bad.xyzr", kText + " 0 0\n");
-  put(kName + ".md", kHostileNamesLesson);
+  put(kName + ".md", kLesson);
   put("good.md", newLesson(place));
   put(kName + ".txt", "answer " + kText + ": " + kText + "\nsay " + kText + "\n" + kText + "\n");
   put(kName + ".csv", "x,y,z\n0,0,30\n0,0,20\n");
@@ -87,7 +87,7 @@ TEST_CASE("every command, given hostile names and files, prints no control chara
   put(kName + ".recording", "MOLTACT TRACE" + kText);
   put(kName + ".script", kText + "\n");
   fs::create_directory(at / (kName + " folder"));
-  put(kName + " folder/" + kName + ".md", kHostileNamesLesson);
+  put(kName + " folder/" + kName + ".md", kLesson);
   put(kName + " folder/README.md", "nothing");
   const std::string evil = quoted(kName);
   const auto file = [&](const char* ending) { return quoted(kName + ending); };

@@ -11,7 +11,7 @@ using namespace moltact::test;
 
 namespace {
 
-bool modesHas(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -32,9 +32,9 @@ TEST_CASE(
   CHECK(json["overlaps"].size() == 10);
   CHECK(std::sqrt(together) == doctest::Approx(0.966).epsilon(0.005));
   const Run text = place.run("modes 4ake --count 3 --toward 1ake");
-  CHECK(modesHas(text.out, "nodes     214\n"));
-  CHECK(modesHas(text.out, "mode  eigenvalue  kcal/mol at 1 A  overlap  together\n"));
-  CHECK(modesHas(text.out, "0.236 kcal/mol/A^2"));
+  CHECK(has(text.out, "nodes     214\n"));
+  CHECK(has(text.out, "mode  eigenvalue  kcal/mol at 1 A  overlap  together\n"));
+  CHECK(has(text.out, "0.236 kcal/mol/A^2"));
 }
 
 TEST_CASE(
@@ -43,10 +43,10 @@ TEST_CASE(
   const CommandPlace place;
   const Run helix = place.run("modes alpha-helix --count 2");
   CHECK(helix.status == 0);
-  CHECK(modesHas(helix.out, "the file has no B factors"));
+  CHECK(has(helix.out, "the file has no B factors"));
   CHECK(place.run("modes benzene").status != 0);
   CHECK(place.run("modes 1ubq --count 0").status != 0);
   const Run other = place.run("modes 1ubq --toward nothing-of-this-name");
   CHECK(other.status != 0);
-  CHECK(modesHas(other.err, "nothing-of-this-name"));
+  CHECK(has(other.err, "nothing-of-this-name"));
 }

@@ -13,15 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kOutputsLesson =
+constexpr const char* kLesson =
     "---\ntitle: Haem\nminutes: 5\ngoals: G\nmolecules: mine.xyzr\nauthor: A. Teacher\nlicence: CC-BY-4.0\nask: "
     "code\n---\n## One\n```scene\nmolecule: mine.xyzr\n```\n```touch\nreach: all\nsay: Touch it.\n```\n"
     "### Question: Q?\n- [x] yes → Right.\n- [ ] no → No.\n";
 
-struct OutputsPlace : CommandPlace {
-  OutputsPlace() {
-    writeFile(folder / "l.md", kOutputsLesson);
-    writeFile(folder / "l.de.md", kOutputsLesson);
+struct Place : CommandPlace {
+  Place() {
+    writeFile(folder / "l.md", kLesson);
+    writeFile(folder / "l.de.md", kLesson);
     writeFile(folder / "mine.xyzr", "0 0 0 1.5\n3 0 0 1.5\n");
     writeFile(folder / "edition.html", "<html><!--a lesson comes here--><script>program</script></html>");
     fs::copy_file(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb", folder / "m.pdb");
@@ -43,11 +43,11 @@ struct OutputsPlace : CommandPlace {
   }
 };
 
-struct OutputsCase {
+struct Case {
   std::string arguments, file;  ///< the file that must stay as it is
 };
 
-std::vector<OutputsCase> inputs() {
+std::vector<Case> inputs() {
   return {
       {"pack l.md -o l.md", "l.md"},
       {"pack l.md -o ./sub/../l.md", "l.md"},
@@ -80,9 +80,9 @@ std::vector<OutputsCase> inputs() {
 }  // namespace
 
 TEST_CASE("no command writes onto a file that it reads, by its name, a link, a hard link or another path") {
-  const OutputsPlace place;
+  const Place place;
   REQUIRE(place.run("device record simulated 1ubq --seconds 0.2 --out r.recording").status == 0);
-  for (const OutputsCase& c : inputs()) {
+  for (const Case& c : inputs()) {
     CAPTURE(c.arguments);
     const std::string before = contents(place.folder / c.file);
     REQUIRE_FALSE(before.empty());
@@ -95,7 +95,7 @@ TEST_CASE("no command writes onto a file that it reads, by its name, a link, a h
 }
 
 TEST_CASE("two outputs of a command never share a file, whether it is there, is not yet or is behind a dangling link") {
-  const OutputsPlace place;
+  const Place place;
   writeFile(place.folder / "there.csv", "older");
   for (const char* arguments :
        {"report a.jsonl --csv x.csv --html x.csv", "report a.jsonl --csv x.csv --gradebook sub/../x.csv",
@@ -114,7 +114,7 @@ TEST_CASE("two outputs of a command never share a file, whether it is there, is 
 }
 
 TEST_CASE("outputs that are no ordinary files may be shared, and files that were not read may be replaced") {
-  const OutputsPlace place;
+  const Place place;
   CHECK(place.run("report a.jsonl --csv /dev/null --html /dev/null").status == 0);
   writeFile(place.folder / "old.csv", "older");
   CHECK(place.run("report a.jsonl --csv old.csv").status == 0);

@@ -17,7 +17,7 @@ namespace {
 const std::string kMolecules = MOLTACT_SOURCE_DIR "/molecules/";
 const std::filesystem::path kOut = std::filesystem::temp_directory_path() / "moltact-render-command.png";
 
-int renderRun(const std::string& arguments) {
+int run(const std::string& arguments) {
   std::filesystem::remove(kOut);
   const std::string command = "'" MOLTACT_BINARY "' render " + arguments + " --out '" + kOut.string() + "' 2>/dev/null";
   return WEXITSTATUS(std::system(command.c_str()));
@@ -26,12 +26,12 @@ int renderRun(const std::string& arguments) {
 }  // namespace
 
 TEST_CASE("render leaves a PNG of the size asked for, and a HIP pushed into benzene changes it") {
-  REQUIRE(renderRun("'" + kMolecules + "benzene.pdb' --size 200x120 --show atoms,haptic") == 0);
+  REQUIRE(run("'" + kMolecules + "benzene.pdb' --size 200x120 --show atoms,haptic") == 0);
   const auto alone = readPng(kOut);
   REQUIRE(bool(alone));
   CHECK(alone->width_px == 200);
   CHECK(alone->height_px == 120);
-  REQUIRE(renderRun("'" + kMolecules + "benzene.pdb' --size 200x120 --show atoms,haptic --hip 0.4,0.3,1.2") == 0);
+  REQUIRE(run("'" + kMolecules + "benzene.pdb' --size 200x120 --show atoms,haptic --hip 0.4,0.3,1.2") == 0);
   const auto pushed = readPng(kOut);
   REQUIRE(bool(pushed));
   CHECK(pushed->rgb != alone->rgb);
@@ -40,7 +40,7 @@ TEST_CASE("render leaves a PNG of the size asked for, and a HIP pushed into benz
 
 TEST_CASE("render ends with 1 for a missing molecule and 2 for wrong usage, and leaves no file") {
   const std::string benzene = "'" + kMolecules + "benzene.pdb' ";
-  CHECK(renderRun("no-such-file.pdb") == 1);
+  CHECK(run("no-such-file.pdb") == 1);
   CHECK_FALSE(std::filesystem::exists(kOut));
   for (const char* wrong : {"--size 5x",
                             "--size 99999x2",
@@ -66,7 +66,7 @@ TEST_CASE("render ends with 1 for a missing molecule and 2 for wrong usage, and 
                             "--then 'benzene, superposed on chain Q'",
                             "--then benzene --state ajar"}) {
     CAPTURE(wrong);
-    CHECK(renderRun(benzene + wrong) == 2);
+    CHECK(run(benzene + wrong) == 2);
     CHECK_FALSE(std::filesystem::exists(kOut));
   }
 }
@@ -74,21 +74,21 @@ TEST_CASE("render ends with 1 for a missing molecule and 2 for wrong usage, and 
 TEST_CASE(
     "each key of a scene that names, marks or measures is an option of render and changes the picture of benzene") {
   const std::string benzene = "'" + kMolecules + "benzene.pdb' --size 320x240 ";
-  REQUIRE(renderRun(benzene) == 0);
+  REQUIRE(run(benzene) == 0);
   const auto bare = readPng(kOut);
   REQUIRE(bool(bare));
   for (const char* option :
        {"--label 'atom for element C'", "--label '\"ring\" for element C'", "--arrow '\"one hydrogen\" for atom 6'",
         "--mark 'teal for atom 0'", "--distance 'atom 0 - atom 3'", "--angle 'atom 0 - atom 1 - atom 2'"}) {
     CAPTURE(option);
-    REQUIRE(renderRun(benzene + option) == 0);
+    REQUIRE(run(benzene + option) == 0);
     const auto with = readPng(kOut);
     REQUIRE(bool(with));
     CHECK(with->rgb != bare->rgb);
   }
-  REQUIRE(renderRun("'" + kMolecules + "1ubq.pdb' --size 320x240 --style cartoon") == 0);
+  REQUIRE(run("'" + kMolecules + "1ubq.pdb' --size 320x240 --style cartoon") == 0);
   const auto alone = readPng(kOut);
-  REQUIRE(renderRun("'" + kMolecules + "1ubq.pdb' --size 320x240 --style cartoon --hydrogen-bonds backbone") == 0);
+  REQUIRE(run("'" + kMolecules + "1ubq.pdb' --size 320x240 --style cartoon --hydrogen-bonds backbone") == 0);
   const auto bonds = readPng(kOut);
   REQUIRE(bool(alone));
   REQUIRE(bool(bonds));
@@ -119,7 +119,7 @@ TEST_CASE("every key of a scene is an option of render, or has no meaning for a 
 TEST_CASE("a view says what the camera's angles say: right is 90 degrees, top 90 degrees above, turned both") {
   const std::string benzene = "'" + kMolecules + "benzene.pdb' --size 200x160 ";
   const auto picture = [&](const std::string& options) {
-    REQUIRE(renderRun(benzene + options) == 0);
+    REQUIRE(run(benzene + options) == 0);
     const auto read = readPng(kOut);
     REQUIRE(bool(read));
     return read->rgb;
@@ -136,7 +136,7 @@ TEST_CASE("a view says what the camera's angles say: right is 90 degrees, top 90
 TEST_CASE("highlight, magnify, a molecule beside, a second structure and the legend each change the picture") {
   const std::string argon = "'" + kMolecules + "argon-pair.pdb' --size 240x180 --show atoms,target ";
   const auto picture = [&](const std::string& options) {
-    REQUIRE(renderRun(argon + options) == 0);
+    REQUIRE(run(argon + options) == 0);
     const auto read = readPng(kOut);
     REQUIRE(bool(read));
     return read->rgb;
@@ -148,9 +148,9 @@ TEST_CASE("highlight, magnify, a molecule beside, a second structure and the leg
   }
   CHECK(picture("--beside benzene") != picture("--beside benzene --captions 'one, other'"));
   const std::string enzyme = "'" + kMolecules + "4ake.pdb' --size 240x180 --style cartoon ";
-  REQUIRE(renderRun(enzyme) == 0);
+  REQUIRE(run(enzyme) == 0);
   const auto open = readPng(kOut);
-  REQUIRE(renderRun(enzyme + "--then '1ake, superposed on residue 1-29 and chain A' --state 100%") == 0);
+  REQUIRE(run(enzyme + "--then '1ake, superposed on residue 1-29 and chain A' --state 100%") == 0);
   const auto shut = readPng(kOut);
   REQUIRE(bool(open));
   REQUIRE(bool(shut));

@@ -125,7 +125,7 @@ TEST_CASE("the newcomer's lesson has notes for the teacher, none of which is see
 TEST_CASE(
     "the teacher's kit of the open lesson is written into the chosen folder; it is offered in a lesson only, and not "
     "during turns or while a student is asked for a name") {
-  Opened o("Text.\n\n" + kNote);
+  TeacherNotesOpened o("Text.\n\n" + kNote);
   ScriptedUser& d = *o.driver;
   const Action& kit = *findAction("teachers-kit");
   REQUIRE(enabled(kit, d.app()));

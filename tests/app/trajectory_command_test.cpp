@@ -14,7 +14,7 @@ using namespace moltact::test;
 
 namespace {
 
-bool trajectorySays(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 // Two carbons at rest and an oxygen that each of four models moves on by 3 A, then one that stands.
 void writeFour(const CommandPlace& place) {
@@ -41,7 +41,7 @@ TEST_CASE(
   const Run run = place.run("info " + file);
   REQUIRE_MESSAGE(run.status == 0, run.err);
   for (const char* line : {"format    XTC", "atoms     300", "frames    3", "time      0.000 ps to 10.000 ps", "25.0"})
-    CHECK_MESSAGE(trajectorySays(run.out, line), run.out);
+    CHECK_MESSAGE(says(run.out, line), run.out);
   const auto json = nlohmann::json::parse(place.run("info --json " + file).out);
   CHECK(json.at("atoms") == 300);
   CHECK(json.at("frames") == 3);
@@ -76,8 +76,8 @@ TEST_CASE(
   CHECK(drawn(trajectory + "--colour fluctuation") != drawn(trajectory + "--colour element"));
   const Run fifth = place.run("render four.pdb --out x.png " + trajectory + "--frame 5");
   CHECK(fifth.status == 2);
-  CHECK_MESSAGE(trajectorySays(fifth.err, "--frame: the trajectory has 4 frames"), fifth.err);
+  CHECK_MESSAGE(says(fifth.err, "--frame: the trajectory has 4 frames"), fifth.err);
   const Run none = place.run("render four.pdb --out x.png --trajectory missing.xtc");
   CHECK(none.status == 1);
-  CHECK_MESSAGE(trajectorySays(none.err, "missing.xtc"), none.err);
+  CHECK_MESSAGE(says(none.err, "missing.xtc"), none.err);
 }

@@ -24,7 +24,7 @@ std::vector<WritingKey> writingKeys() {
   return out;
 }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isDigitKey(char c) { return c >= '0' && c <= '9'; }
 
 // Null if ImGui has no such key.
 const WritingKey* keyThatWrites(const std::vector<WritingKey>& keys, std::string_view text) {
@@ -41,10 +41,10 @@ ImGuiKey keyOnLayout(ImGuiKey place, const KeyboardLayout& layout) {
   const auto at = std::find_if(keys.begin(), keys.end(), [&](const WritingKey& k) { return k.key == place; });
   if (at == keys.end()) return place;
   const WritingKey* written = keyThatWrites(keys, layout(place));
-  if (isDigit(at->character)) return written && isDigit(written->character) ? written->key : place;
+  if (isDigitKey(at->character)) return written && isDigitKey(written->character) ? written->key : place;
   if (written) return written->key;
   const bool elsewhere = std::any_of(keys.begin(), keys.end(), [&](const WritingKey& other) {
-    const WritingKey* there = isDigit(other.character) ? nullptr : keyThatWrites(keys, layout(other.key));
+    const WritingKey* there = isDigitKey(other.character) ? nullptr : keyThatWrites(keys, layout(other.key));
     return there && there->key == place;
   });
   return elsewhere ? ImGuiKey(ImGuiKey_None) : place;
