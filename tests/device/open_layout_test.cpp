@@ -67,7 +67,7 @@ std::optional<Problem> begun(const std::map<std::size_t, int>& changed, DeviceIn
   FarEndPort port(end);
   return OpenLayoutProtocol().begin(port, info);
 }
-OpenLayoutProtocol opened() {
+OpenLayoutProtocol openedLayout() {
   FarEnd end;
   FarEndPort port(end);
   OpenLayoutProtocol open;
@@ -186,7 +186,7 @@ TEST_CASE(
 TEST_CASE(
     "the motors are on with force and without; off when stopped, with a force that is no number, and "
     "while fault, calibration or watchdog are reported") {
-  OpenLayoutProtocol open = opened();
+  OpenLayoutProtocol open = openedLayout();
   test::OpenFirmware firmware;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
@@ -240,7 +240,7 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
   turned(3, 0, 0.5, 0, 0.5);
   CHECK(glm::distance(pose.orientation * Vec3(1, 0, 0), Vec3(0, 0, -1)) < 1e-4);
 
-  OpenLayoutProtocol silent = opened();
+  OpenLayoutProtocol silent = openedLayout();
   DevicePose upright;
   turned(4, 0, half, 0, half);
   CHECK(silent.parseReport(place, upright));
@@ -250,7 +250,7 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
 TEST_CASE(
     "a cut by the device's watchdog is reported for 20 ms even when the next places come at once, "
     "and then no more") {
-  OpenLayoutProtocol open = opened();
+  OpenLayoutProtocol open = openedLayout();
   DevicePose pose;
   OpenLayoutReport place(kPlaceBytes);
   place[0] = kPlaceReport, place[22] = kWatchdogTripped;
@@ -269,7 +269,7 @@ TEST_CASE(
     "60 ms of lost force reports while places continue: the firmware cuts, and afterwards the force of 0.8 N comes "
     "back "
     "within half a second, not at once") {
-  OpenLayoutProtocol open = opened();
+  OpenLayoutProtocol open = openedLayout();
   test::OpenFirmware firmware;
   DeviceInfo info;
   begun({}, info);
@@ -337,7 +337,7 @@ TEST_CASE(
 TEST_CASE(
     "the reference firmware: a place beyond 16 bits stays at their end, 163.8 mm, and does not come back from the "
     "other side") {
-  OpenLayoutProtocol open = opened();
+  OpenLayoutProtocol open = openedLayout();
   test::OpenFirmware firmware;
   DevicePose pose;
   open.parseReport(of(firmware.tick({200, -200, 0})), pose);
