@@ -97,12 +97,12 @@ class PlanReader {
     const fs::path named =
         lower(fs::path(name).extension().string()) == ".md" ? fs::path(name) : fs::path(name + ".md");
     const fs::path beside = file_.has_parent_path() ? file_.parent_path() : fs::path(".");
-    for (const fs::path& folder : {beside, lessonsFolder() / "studies", lessonsFolder()}) {
+    for (const fs::path& folder : {beside, homeFolder() / "assets" / "studies", lessonsFolder()}) {
       std::error_code ignored;
       if (fs::is_regular_file(folder / named, ignored)) return PlannedLesson{folder / named, place};
     }
     std::set<std::string> names;
-    for (const fs::path& folder : {lessonsFolder() / "studies", lessonsFolder()}) {
+    for (const fs::path& folder : {homeFolder() / "assets" / "studies", lessonsFolder()}) {
       std::error_code failed;
       for (fs::directory_iterator it(folder, failed), none; !failed && it != none; it.increment(failed))
         if (it->path().extension() == ".md" && looksLikeLesson(it->path())) names.insert(lessonName(it->path()).id);

@@ -42,7 +42,7 @@ struct StudyPlanReading {
   std::vector<Problem> errors;
 };
 
-/// Reads a plan. Lessons and tests are searched in the plan's folder, in `lessons/studies` and in `lessons` of the program.
+/// Reads a plan. Lessons and tests are searched in the plan's folder, in `assets/studies` and in `lessons` of the program.
 StudyPlanReading readStudyPlan(const std::filesystem::path& file);
 
 /// The keys of a plan.

@@ -16,7 +16,7 @@ constexpr std::array kTests{"surface-and-probe", "binding-and-inhibition", "dna-
 
 Lesson conceptTest(const std::string& name, const std::string& language) {
   const LessonReading reading =
-      readLesson(std::string(MOLTACT_SOURCE_DIR "/lessons/studies/") + name + (language == "en" ? "" : ".de") + ".md");
+      readLesson(std::string(MOLTACT_SOURCE_DIR "/assets/studies/") + name + (language == "en" ? "" : ".de") + ".md");
   for (const Problem& p : reading.errors) MESSAGE(p.text());
   for (const Problem& p : reading.warnings) MESSAGE(p.text());
   CHECK(reading.warnings.empty());

@@ -30,7 +30,7 @@ constexpr double kPre = 3.0, kPreSd = 1.0, kGain = 3.0, kGainSd = 1.5;
 const double kOutcomeSd = std::sqrt(kGainSd * kGainSd + 1.0 / 12.0);
 
 LessonOutline outlineFor(const std::string& part, const std::string& group) {
-  const LessonReading reading = readLesson(MOLTACT_SOURCE_DIR "/lessons/studies/surface-and-probe.md");
+  const LessonReading reading = readLesson(MOLTACT_SOURCE_DIR "/assets/studies/surface-and-probe.md");
   REQUIRE(reading.lesson);
   LessonOutline out = outlineOf(*reading.lesson, "0");
   out.study = {"simulated", part, group};

@@ -225,7 +225,7 @@ TEST_CASE("the page of a draw holds every group's pack and the group of each cod
 }
 
 TEST_CASE("the plan that comes with the program makes its packs without a warning") {
-  const StudyPlanReading reading = readStudyPlan(MOLTACT_SOURCE_DIR "/lessons/studies/touch-or-look.md");
+  const StudyPlanReading reading = readStudyPlan(MOLTACT_SOURCE_DIR "/assets/studies/touch-or-look.md");
   for (const Problem& p : reading.errors) FAIL(p.text());
   const StudyPacks study = packStudy(*reading.plan);
   for (const Problem& p : study.errors) FAIL(p.text());
