@@ -165,7 +165,7 @@ class Class(PageTest):
 
         # The end, and the report from the attempts.
         teacher.evaluate("globalThis.confirm = () => true; globalThis.open = () => null; document.querySelector('[data-do=end]').click()")
-        for browser in (ada, animal):
+        for browser in (ada, animal, bo):
             browser.until("document.querySelector('#class-said').textContent.includes('All of your work has arrived')", 30)
         board.go(self.teacher + "report")
         board.until("document.querySelector('main')")
