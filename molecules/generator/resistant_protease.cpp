@@ -95,9 +95,7 @@ std::string makeThreeHolds(const std::string& entry, const std::string& open) {
   int serial = 0;
   const auto stay = [](const glm::dvec3& p) { return p; };
   const auto beside = [](const glm::dvec3& p) { return p + glm::dvec3(kApart_A, 0.0, 0.0); };
-  const auto outside = [&](const glm::dvec3& p) {
-    return kOutside_A + glm::normalize(kOutsideTurn) * (p - middle);
-  };
+  const auto outside = [&](const glm::dvec3& p) { return kOutside_A + glm::normalize(kOutsideTurn) * (p - middle); };
   append(out, serial, linesOf(entry, false), "AB", stay);
   append(out, serial, linesOf(open, false), "DE", beside);
   append(out, serial, drug, "CC", stay);
