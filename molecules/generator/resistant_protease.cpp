@@ -39,7 +39,7 @@ std::vector<std::string> linesOf(const std::string& text, bool drug) {
 template <class Move>
 void append(std::string& out, int& serial, const std::vector<std::string>& lines, const char* chains, Move&& move) {
   for (std::string line : lines) {
-    char number[8];
+    char number[12];
     std::snprintf(number, sizeof number, "%5d", ++serial);
     line.replace(6, 5, number);
     if (line.size() > 21) line[21] = line[21] == 'B' ? chains[1] : chains[0];

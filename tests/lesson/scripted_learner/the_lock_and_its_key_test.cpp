@@ -96,17 +96,17 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "amprenavir's wells are -42.9 kcal/mol in the shut lock, -26.7 in the open one, -20.1 outside, and -41.5 in I84V: "
+    "amprenavir's wells are -42.9 kcal/mol in the shut lock, -26.7 in the open one, -19.6 outside, and -41.5 in I84V: "
     "by "
     "the program, and by a sum over all pairs in double within 0.01; the open lock's is more than nine tenths van der "
     "Waals; exp of the difference over kT at 37 degrees is 10.5") {
-  SAYS(linesSaying(kLock, {"−42.9, −26.7 and −20.1 kcal/mol", "costs 1.5 of 42.9 kcal/mol, 3 %", "= 10.5 at 37 °C",
+  SAYS(linesSaying(kLock, {"−42.9, −26.7 and −19.6 kcal/mol", "costs 1.5 of 42.9 kcal/mol, 3 %", "= 10.5 at 37 °C",
                            "The wells are −42.92 kcal/mol in 1HPV and −41.47 kcal/mol"}));
   const HeldThere shut("1hpv-three-holds", "chain C", "chain F or chain G"),
       open("1hpv-three-holds", "chain F", "chain C or chain G"),
       outside("1hpv-three-holds", "chain G", "chain C or chain F"), mutant("1hpv-i84v", "ligand"),
       wild("1hpv", "ligand");
-  for (const auto& [held, said] : {std::pair{&shut, -42.9}, std::pair{&open, -26.7}, std::pair{&outside, -20.1},
+  for (const auto& [held, said] : {std::pair{&shut, -42.9}, std::pair{&open, -26.7}, std::pair{&outside, -19.6},
                                    std::pair{&mutant, -41.47}, std::pair{&wild, -42.92}}) {
     CAPTURE(said);
     MESSAGE(held->told(), " kcal/mol by the program, ", held->summed(), " by the sum of all pairs");
@@ -193,7 +193,7 @@ TEST_CASE(
     "on the ways that the program finds out of the open lock the greatest force between the atoms is 0.8 to 1.1 nN, "
     "and "
     "in the first 4 A") {
-  SAYS(linesSaying(kLock, {"the greatest force is 0.8 nN to 1.1 nN", "At the start, in the first 4 Å"}));
+  SAYS(linesSaying(kLock, {"the greatest force is 0.7 nN to 1 nN", "At the start, in the first 4 Å"}));
   const Found f = lockTask("what-does-it-cost-to-leave", "pull");
   for (int attempt = 0; attempt < 4; ++attempt) {
     CAPTURE(attempt);
@@ -209,8 +209,8 @@ TEST_CASE(
       if (one.name == "greatest force between the atoms") most_pN = one.value;
     MESSAGE(most_pN, " pN at ", at_A, " A");
     CHECK(at_A <= 4.0);
-    CHECK(most_pN >= 800.0);
-    CHECK(most_pN <= 1100.0);
+    CHECK(most_pN >= 700.0);
+    CHECK(most_pN <= 1000.0);
   }
 }
 
@@ -225,8 +225,8 @@ TEST_CASE(
   const auto task = makeTask(f.spec(), *shut.whole.molecule);
   task->takeForces(forces);
   std::mt19937 random(20261128);
+  double time_s = 0.0;
   const auto feels = [&](double for_s) {
-    double time_s = 0.0;
     TouchSample s;
     s.energy.emplace();
     s.contact_reset = true;
@@ -257,7 +257,10 @@ TEST_CASE(
         std::shuffle(order.begin(), order.end(), random);
       else
         std::reverse(order.begin(), order.end());
-      for (int k = 0; k < 3; ++k) task->answer({.word = "next"});
+      for (int k = 0; k < 3; ++k) {
+        feels(3.3);
+        task->answer({.word = "next"});
+      }
       for (int k = 0; k < 2; ++k) task->answer({.word = "ligand-" + std::to_string(order[std::size_t(k)])});
       (drawn ? right : backwards) += task->done();
     }
