@@ -13,9 +13,9 @@ namespace moltact {
 /// Points of a recorded way that are nearer to their predecessor are left out.
 inline constexpr double kGuideSpacing_A = 0.1;
 
-/// The part of the way from the first contact to the last, or all of it where the file tells of no contact. A Problem,
-/// with the file's name, if it cannot be read, was recorded with other atoms, lies in a device's millimetres, stays at
-/// one place or has more than GuidePath::kMaxPoints points.
+/// The part of the way from the first contact to the last, or all of it where the file tells of no contact. A Problem
+/// with the file's name if it cannot be read, was recorded with other atoms or is in a device's millimetres. The same
+/// applies if the hand stays at one place, or the way has more than GuidePath::kMaxPoints points.
 Expected<GuidePath> readGuidePath(const std::filesystem::path& file, const Molecule& molecule);
 
 }  // namespace moltact
