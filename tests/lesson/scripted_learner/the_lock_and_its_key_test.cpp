@@ -190,7 +190,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "on the ways that the program finds out of the open lock the greatest force between the atoms is 0.8 to 1.1 nN, "
+    "on the ways that the program finds out of the open lock the greatest force between the atoms is 0.7 to 1 nN, "
     "and "
     "in the first 4 A") {
   SAYS(linesSaying(kLock, {"the greatest force is 0.7 nN to 1 nN", "At the start, in the first 4 Å"}));
