@@ -22,7 +22,9 @@ std::filesystem::path newClassFolder() {
 }
 
 bool openInBrowser(const std::string& address) {
-  const Expected<ProgramRun> run = runProgram({"xdg-open", address}, true);
+  // The shell does not wait: xdg-open may be there until the browser is closed. It reads the address as a parameter.
+  const Expected<ProgramRun> run = runProgram(
+      {"sh", "-c", R"(command -v xdg-open >/dev/null || exit 1; xdg-open "$0" >/dev/null 2>&1 &)", address}, true);
   return run && run->status == 0;
 }
 
