@@ -276,6 +276,8 @@ const moltactClassroom = (() => {
       const all = got === "all", gone = got === "gone";
       this.wait_until_ms = all ? 0 : now_ms + (gone ? kGone_ms : kRetry_ms);
       if (got === "later") return;
+      // Also what the browser has not yet stored has to arrive first.
+      if (all && this.ended && this.next(undefined, true)) return;
       if (all && this.ended) {
         this.over = true;
         this.page.said([...this.places.values()].some((place) => place.refused) ? "ended, some kept" : "ended", true);

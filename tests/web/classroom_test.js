@@ -217,6 +217,15 @@ const line = (k) => JSON.stringify({kind: "still", t: k}) + "\n";
   const some = student(Object.assign(server(), {limit: 1, ended: true}), {"a.jsonl": line(0) + line(1)});
   await some.sender.step(1);
   same(some.said, ["refused", "ended, some kept"]);
+  // Nor before the browser has stored its last lines, which then arrive.
+  const late = server(), late_stored = {"a.jsonl": line(0).length}, later = student(late, {"a.jsonl": line(0) + line(1)}, late_stored);
+  late.ended = true;
+  await later.sender.step(1);
+  same(later.said, []);
+  late_stored["a.jsonl"] = Infinity;
+  await later.sender.step(1e5);
+  same(later.said, ["ended"]);
+  assert.strictEqual(late.kept.get("a").length, 2);
   // A body that is too large by a line is sent line by line.
   const small = server(), few = student(small, {"a.jsonl": line(0) + line(1) + line(2)}), take = small.ask;
   few.sender.ask = async (where, body) => body.lines?.length > 1 ? {status: 413, json: {}} : take(where, body);
