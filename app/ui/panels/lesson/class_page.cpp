@@ -39,6 +39,12 @@ ClassDesk& classDesk() {
   return desk;
 }
 
+// The class, for an act that the next frame shows.
+TaughtClass& acted(ClassDesk& desk) {
+  desk.looked = {};
+  return *desk.taught;
+}
+
 void words(const char* name, const std::string& text, ImU32 colour) {
   const WithText coloured(colour);
   ImGui::TextWrapped("%s", text.c_str());
@@ -68,7 +74,7 @@ std::string clock(double time_s) {
   return std::to_string(whole / 60) + ":" + (seconds.size() < 2 ? "0" : "") + seconds;
 }
 
-void begin(Application& app, ClassDesk& desk) {
+void begin(ClassDesk& desk) {
   LiveClassOptions options;
   options.lessons = {desk.lesson.string()};
   options.page = browserEdition();
@@ -82,10 +88,9 @@ void begin(Application& app, ClassDesk& desk) {
   else
     desk.taught = std::make_unique<TaughtClass>(std::move(options));
   desk.looked = {};
-  (void)app;
 }
 
-void drawBeginning(Application& app, ClassDesk& desk) {
+void drawBeginning(ClassDesk& desk) {
   const Palette& p = look().palette;
   {
     const WithFont heading(Font::Heading);
@@ -108,7 +113,7 @@ void drawBeginning(Application& app, ClassDesk& desk) {
   words("class/kept", tr("Names and work are kept on this computer. The class ends when this program does."), p.quiet);
   if (!desk.said.empty()) words("class/said", desk.said, p.warn);
   ImGui::Dummy({0, look().px(8)});
-  if (button("class/begin", tr("Begin the class"), ButtonLook::Primary, -1.0f, !desk.lesson.empty())) begin(app, desk);
+  if (button("class/begin", tr("Begin the class"), ButtonLook::Primary, -1.0f, !desk.lesson.empty())) begin(desk);
 }
 
 void drawAddress(ClassDesk& desk, const TaughtClass::Facts& facts) {
@@ -145,7 +150,7 @@ void drawAddress(ClassDesk& desk, const TaughtClass::Facts& facts) {
   if (!desk.said.empty()) words("class/said", desk.said, l.palette.warn);
   ImGui::EndGroup();
   if (!facts.qr.width) return;
-  ImGui::SameLine(wide - side + ImGui::GetStyle().WindowPadding.x);
+  ImGui::SameLine(wide - side);
   drawQr(facts.qr, side);
 }
 
@@ -217,7 +222,7 @@ void drawStudents(ClassDesk& desk) {
     recordItem(name + "/state", stateWords(row));
     ImGui::TableNextColumn();
     if (row.may_ask_scene && button((name + "/scene").c_str(), tr("Ask for the scene")))
-      desk.taught->askForScene(row.student);
+      acted(desk).askForScene(row.student);
   }
   ImGui::EndTable();
 }
@@ -231,7 +236,7 @@ void drawScene(ClassDesk& desk) {
                     : trf("The projector's page shows the scene of {0}, without the name.", row.student),
         look().palette.text);
   if (row.hidden != SceneHidden::No) words("class/scene/hidden", hiddenWords(row), look().palette.quiet);
-  if (button("class/scene/end", row.agreed ? tr("Take it off") : tr("Do not ask"))) desk.taught->endScene();
+  if (button("class/scene/end", row.agreed ? tr("Take it off") : tr("Do not ask"))) acted(desk).endScene();
 }
 
 void drawSteps(ClassDesk& desk) {
@@ -240,7 +245,7 @@ void drawSteps(ClassDesk& desk) {
     sectionTitle(tr("Steps"));
     if (lesson.held) {
       words("class/held", trf("Nobody may go beyond step {0}.", *lesson.held + 1), p.text);
-      if (button("class/open", tr("Open the way for all"))) desk.taught->open(lesson.id);
+      if (button("class/open", tr("Open the way for all"))) acted(desk).open(lesson.id);
     }
     if (!ImGui::BeginTable("steps", 5, kTable)) continue;
     ImGui::TableSetupColumn("step", 0, 2.4f);
@@ -260,7 +265,7 @@ void drawSteps(ClassDesk& desk) {
       if (step.held)
         ImGui::TextUnformatted(tr("held"));
       else if (!step.aside && button((name + "/hold").c_str(), tr("Hold here")))
-        desk.taught->hold(lesson.id, k);
+        acted(desk).hold(lesson.id, k);
     }
     ImGui::EndTable();
   }
@@ -293,7 +298,7 @@ void drawFoot(Application& app, ClassDesk& desk) {
     words("class/sure", tr("End the class for all? Students can then no longer join."), look().palette.text);
     if (button("class/end/yes", tr("End the class"), ButtonLook::Primary)) {
       desk.sure = false;
-      desk.taught->end();
+      acted(desk).end();
       report(app, desk);
     }
     ImGui::SameLine();
@@ -357,10 +362,10 @@ void openClassPage(Application& app) {
 void drawClassPage(Application& app) {
   ClassDesk& desk = classDesk();
   const bool served = desk.taught && desk.taught->state() == TaughtClass::State::Served;
-  const float width = served ? 880.0f : 520.0f, height = served ? 680.0f : 420.0f;
+  const float width = served ? 880.0f : 520.0f, height = served ? 680.0f : 470.0f;
   if (!beginPage("class page", tr("Teach a class"), desk.open, width, height)) return;
   if (!desk.taught)
-    drawBeginning(app, desk);
+    drawBeginning(desk);
   else if (served)
     drawServed(app, desk);
   else if (desk.taught->state() == TaughtClass::State::Over)
