@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/lesson/reader.h"
+#include "engine/platform/folders.h"
 #include "tests/classroom/http_client.h"
 #include "tests/classroom/small_class.h"
 #include "tests/results/sample_attempt.h"
@@ -63,14 +65,15 @@ TEST_CASE("the window's class is joined, seen, held, opened, asked for a scene a
   REQUIRE(taught->view());
   CHECK(taught->view()->students.empty());
 
-  LessonOutline lesson = smallOutline();
-  lesson.file = "first-touch.md";
+  const LessonReading reading = readLesson(lessonsFolder() / "first-touch.md");
+  REQUIRE(reading.lesson);
+  const LessonOutline lesson = outlineOf(*reading.lesson, "0123456789abcdef");
   const std::string token = desk.post("join", {{"name", "Ada"}})["token"];
   const Json poll{{"token", token}};
   desk.post("lines", {{"token", token},
                       {"attempt", "a"},
                       {"from", 0},
-                      {"lines", {headerLine("", lesson), eventLine(0.0, StepEntered{"one"})}}});
+                      {"lines", {headerLine("", lesson), eventLine(0.0, StepEntered{lesson.steps[0].id})}}});
   const auto view = taught->view();
   REQUIRE(view);
   REQUIRE(view->students.size() == 1);
