@@ -12,7 +12,7 @@ namespace moltact {
 namespace {
 
 constexpr double kLead_A = 2.0;        // the ghost is so far ahead of the hand
-constexpr int kWays = 12;              // ways that are compared with the hand's place
+constexpr int kComparedWays = 12;      // ways that are compared with the hand's place
 constexpr double kSameProbe_A = 0.01;  // a probe that differs by less has the same way
 
 }  // namespace
@@ -74,7 +74,7 @@ void checkGuideKeys(const TaskSpec& spec, std::vector<Problem>& problems) {
 GuidePath wayOfTask(const Task& task, const SphereGrid& spheres, double probe_A, const std::optional<Vec3>& hand_A) {
   GuidePath best({});
   double least_A = 0.0;
-  for (int attempt = 0; attempt < (hand_A ? kWays : 1); ++attempt) {
+  for (int attempt = 0; attempt < (hand_A ? kComparedWays : 1); ++attempt) {
     std::vector<std::vector<Vec3>> parts;
     // A spring without stiffness: the plan does not press.
     for (const HandAct& act :
