@@ -12,26 +12,26 @@ using namespace moltact::test;
 
 namespace {
 
-HeightField scanOf(const std::vector<Sphere>& spheres, double tip_A, double spacing_A, Quat orientation = kNoRotation) {
-  auto tip = ScanningTip::over(spheres, {.tip_A = tip_A, .spacing_A = spacing_A, .margin_A = tip_A + 1.0,
-                                         .orientation = orientation});
+HeightField scanBy(std::span<const Sphere> spheres, double tip_A, double spacing_A, Quat orientation = kNoRotation) {
+  auto tip = ScanningTip::over(
+      spheres, {.tip_A = tip_A, .spacing_A = spacing_A, .margin_A = tip_A + 1.0, .orientation = orientation});
   REQUIRE(tip);
   tip->scanAll();
   return tip->field();
 }
 
-HeightField scanOf(const char* molecule, double tip_A, double spacing_A, Quat orientation = kNoRotation) {
-  return scanOf((*shippedMolecule({molecule, {}}))->spheres, tip_A, spacing_A, orientation);
+HeightField scanOf(const char* molecule, double tip_A, double spacing_A) {
+  return scanBy((*shippedMolecule({molecule, {}}))->spheres, tip_A, spacing_A);
 }
 
-double highest(const HeightField& f) { return *std::max_element(f.heights_A.begin(), f.heights_A.end()); }
+double highestOf(const HeightField& f) { return *std::max_element(f.heights_A.begin(), f.heights_A.end()); }
 
 /// The extent along x and y of what is higher than half of the highest node (unit: angstrom).
 std::pair<double, double> extentAtHalfHeight(const HeightField& f) {
   int low_x = f.columns, high_x = -1, low_y = f.rows, high_y = -1;
   for (int y = 0; y < f.rows; ++y)
     for (int x = 0; x < f.columns; ++x)
-      if (f.at(x, y) > 0.5 * highest(f)) {
+      if (f.at(x, y) > 0.5 * highestOf(f)) {
         low_x = std::min(low_x, x), high_x = std::max(high_x, x);
         low_y = std::min(low_y, y), high_y = std::max(high_y, y);
       }
@@ -42,7 +42,7 @@ std::pair<double, double> extentAtHalfHeight(const HeightField& f) {
 double widthInTheMiddle(const HeightField& f) {
   int low = f.rows, high = -1;
   for (int y = 0; y < f.rows; ++y)
-    if (f.at(f.columns / 2, y) > 0.5 * highest(f)) low = std::min(low, y), high = std::max(high, y);
+    if (f.at(f.columns / 2, y) > 0.5 * highestOf(f)) low = std::min(low, y), high = std::max(high, y);
   return f.spacing_A * (high - low);
 }
 
@@ -72,8 +72,8 @@ TEST_CASE(
     // While a prediction is open or the screen is dark, no scan draws the answer.
     for (const Step& step : lesson.steps) {
       CAPTURE(step.title);
-      const bool asks = std::any_of(step.questions.begin(), step.questions.end(),
-                                    [](const Question& q) { return q.prediction; });
+      const bool asks =
+          std::any_of(step.questions.begin(), step.questions.end(), [](const Question& q) { return q.prediction; });
       const bool dark = std::any_of(step.tasks.begin(), step.tasks.end(),
                                     [](const TaskSpec& t) { return t.kind == "same" || t.kind == "find"; });
       if (asks || dark) CHECK(step.scene.scan_A == 0.0);
@@ -82,16 +82,17 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "into each ring of pentacene a tip of 0.5 A sinks by 0.39 A, one of 5 A by 0.11 A and one of 20 A by 0.03 A, by the "
+    "into each ring of pentacene a tip of 0.5 A sinks by 0.39 A, one of 5 A by 0.11 A and one of 20 A by 0.03 A, by "
+    "the "
     "closed form for two carbons at a bond and six round a ring, and in the scan") {
-  SAYS(linesSaying("seeing-by-feeling", {"sinks by 0.39 Å from the bond before it",
-                                         "by 0.11 Å with 5 Å and by 0.03 Å with 20 Å", "0.03 Å deep, instead of 0.39"}));
+  SAYS(
+      linesSaying("seeing-by-feeling", {"sinks by 0.39 Å from the bond before it",
+                                        "by 0.11 Å with 5 Å and by 0.03 Å with 20 Å", "0.03 Å deep, instead of 0.39"}));
   const std::map<double, double> said_A{{0.5, 0.39}, {5.0, 0.11}, {20.0, 0.03}};
   for (const auto& [tip_A, dent_A] : said_A) {
     CAPTURE(tip_A);
     const double reach = tip_A + 1.70, at_bond = 0.5 * 1.397, at_ring = 1.397;
-    const double closed =
-        std::sqrt(reach * reach - at_bond * at_bond) - std::sqrt(reach * reach - at_ring * at_ring);
+    const double closed = std::sqrt(reach * reach - at_bond * at_bond) - std::sqrt(reach * reach - at_ring * at_ring);
     CHECK(std::round(closed * 100) / 100 == doctest::Approx(dent_A));
     CHECK(dent(scanOf("pentacene", tip_A, 0.05), 5.0) == doctest::Approx(closed).epsilon(0.02));
   }
@@ -107,7 +108,7 @@ TEST_CASE(
     CAPTURE(tip_A);
     const HeightField f = scanOf("pentacene", tip_A, 0.05);
     CHECK(widthInTheMiddle(f) == doctest::Approx(wide_A).epsilon(0.012));
-    CHECK(highest(f) == doctest::Approx(3.40).epsilon(0.01));
+    CHECK(highestOf(f) == doctest::Approx(3.40).epsilon(0.01));
     if (tip_A == 20.0) CHECK(extentAtHalfHeight(f).first == doctest::Approx(29).epsilon(0.01));
   }
 }
@@ -125,14 +126,15 @@ TEST_CASE(
     CHECK(closed == doctest::Approx(wide_A).epsilon(0.006));
     const HeightField f = scanOf("argon", tip_A, 0.02);
     CHECK(extentAtHalfHeight(f).first == doctest::Approx(closed).epsilon(0.015));
-    CHECK(highest(f) == doctest::Approx(3.76).epsilon(0.001));
+    CHECK(highestOf(f) == doctest::Approx(3.76).epsilon(0.001));
   }
 }
 
 TEST_CASE(
     "in the crease between two argon atoms the force of the exact method turns by 104 degrees under a tip of 0.5 A, by "
     "32 under 5 A and by 10 under 20 A, and the pair is drawn 3.76 A high") {
-  SAYS(lineSaying("seeing-by-feeling", "turned by 32° at once. With the tip of 0.5 Å it turns by 104°, with that of 20"));
+  SAYS(lineSaying("seeing-by-feeling",
+                  "turned by 32° at once. With the tip of 0.5 Å it turns by 104°, with that of 20"));
   const ShippedScene pair("argon-pair");
   const auto spheres = std::make_shared<const SphereGrid>(pair.molecule->spheres);
   const std::map<double, double> said_deg{{0.5, 104}, {5.0, 32}, {20.0, 10}};
@@ -154,12 +156,13 @@ TEST_CASE(
       before = normal;
     }
     CHECK(greatest * 180 / std::numbers::pi == doctest::Approx(closed).epsilon(0.02));
-    CHECK(highest(scanOf("argon-pair", tip_A, 0.04)) == doctest::Approx(3.76).epsilon(0.002));
+    CHECK(highestOf(scanOf("argon-pair", tip_A, 0.04)) == doctest::Approx(3.76).epsilon(0.002));
   }
 }
 
 TEST_CASE(
-    "pressed in the middle of the view, where the dark tasks put the hand, a tip of 5 A rests on the single atom, or in "
+    "pressed in the middle of the view, where the dark tasks put the hand, a tip of 5 A rests on the single atom, or "
+    "in "
     "the crease of the pair, and slides up and down over both") {
   const Lesson lesson = shippedLesson("seeing-by-feeling");
   const ShippedScene s("argon-shapes");
@@ -186,7 +189,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the end of ubiquitin's tail has the fewest atoms round it, and a tip of 5 A meets it over more than twice the area "
+    "the end of ubiquitin's tail has the fewest atoms round it, and a tip of 5 A meets it over more than twice the "
+    "area "
     "of one of 0.5 A") {
   SAYS(linesSaying("seeing-by-feeling", {"Its narrowest part is a tail, and the tail ends in amino acid 76",
                                          "A blunt tip would meet it more often"}));
@@ -210,7 +214,7 @@ TEST_CASE(
   const Vec3 to_eye = glm::normalize(tail - middle), up(0, 0, 1);
   const Quat facing = glm::normalize(Quat(1.0 + glm::dot(up, to_eye), glm::cross(up, to_eye)));
   const auto area = [&](double tip_A) {
-    const HeightField f = scanOf(u.molecule->spheres, tip_A, 0.25, facing);
+    const HeightField f = scanBy(u.molecule->spheres, tip_A, 0.25, facing);
     return 0.0625 * double(std::count_if(f.atoms.begin(), f.atoms.end(), [&](std::int32_t a) {
              return a >= 0 && std::binary_search(end.begin(), end.end(), std::uint32_t(a));
            }));
