@@ -94,7 +94,7 @@ TEST_CASE(
     const double reach = tip_A + 1.70, at_bond = 0.5 * 1.397, at_ring = 1.397;
     const double closed = std::sqrt(reach * reach - at_bond * at_bond) - std::sqrt(reach * reach - at_ring * at_ring);
     CHECK(std::round(closed * 100) / 100 == doctest::Approx(dent_A));
-    CHECK(dent(scanOf("pentacene", tip_A, 0.05), 5.0) == doctest::Approx(closed).epsilon(0.02));
+    CHECK(dent(scanOf("pentacene", tip_A, 0.1), 5.0) == doctest::Approx(closed).epsilon(0.02));
   }
 }
 
@@ -106,7 +106,7 @@ TEST_CASE(
   const std::map<double, double> said_A{{0.0, 7.2}, {0.5, 8.2}, {5.0, 12.2}, {20.0, 19.6}};
   for (const auto& [tip_A, wide_A] : said_A) {
     CAPTURE(tip_A);
-    const HeightField f = scanOf("pentacene", tip_A, 0.05);
+    const HeightField f = scanOf("pentacene", tip_A, 0.1);
     CHECK(widthInTheMiddle(f) == doctest::Approx(wide_A).epsilon(0.012));
     CHECK(highestOf(f) == doctest::Approx(3.40).epsilon(0.01));
     if (tip_A == 20.0) CHECK(extentAtHalfHeight(f).first == doctest::Approx(29).epsilon(0.01));
@@ -124,7 +124,7 @@ TEST_CASE(
     const double reach = tip_A + 1.88;
     const double closed = 2.0 * std::sqrt(reach * reach - tip_A * tip_A);
     CHECK(closed == doctest::Approx(wide_A).epsilon(0.006));
-    const HeightField f = scanOf("argon", tip_A, 0.02);
+    const HeightField f = scanOf("argon", tip_A, 0.05);
     CHECK(extentAtHalfHeight(f).first == doctest::Approx(closed).epsilon(0.015));
     CHECK(highestOf(f) == doctest::Approx(3.76).epsilon(0.001));
   }
@@ -148,7 +148,7 @@ TEST_CASE(
     exact->step({Vec3(-0.5, 0.003, reach + 1.0)});
     double greatest = 0.0;
     std::optional<Vec3> before;
-    for (double x = -0.5; x <= 0.5; x += 0.0005) {
+    for (double x = -0.5; x <= 0.5; x += 0.002) {
       const Contact c = exact->step({Vec3(x, 0.003, low)});
       if (c.feature != Feature::Sphere) continue;
       const Vec3 normal = glm::normalize(c.scp.A - (*spheres)[std::size_t(c.atoms[0])].centre_A);
@@ -156,7 +156,7 @@ TEST_CASE(
       before = normal;
     }
     CHECK(greatest * 180 / std::numbers::pi == doctest::Approx(closed).epsilon(0.02));
-    CHECK(highestOf(scanOf("argon-pair", tip_A, 0.04)) == doctest::Approx(3.76).epsilon(0.002));
+    CHECK(highestOf(scanOf("argon-pair", tip_A, 0.1)) == doctest::Approx(3.76).epsilon(0.002));
   }
 }
 
@@ -176,7 +176,7 @@ TEST_CASE(
   const auto press = [&](Vec3 out, Vec3 aside) {
     const auto exact = findMethod("exact")->make(spheres, 5.0);
     Contact contact;
-    for (double r = 17.0; r > 14.0; r -= 0.002) contact = exact->step({out * r + aside});
+    for (double r = 17.0; r > 14.0; r -= 0.01) contact = exact->step({out * r + aside});
     return contact;
   };
   const Contact one = press({0, 0, 1}, {0.02, 0.01, 0}), two = press({1, 0, 0}, {0, 0.0, 0.01});
@@ -214,8 +214,8 @@ TEST_CASE(
   const Vec3 to_eye = glm::normalize(tail - middle), up(0, 0, 1);
   const Quat facing = glm::normalize(Quat(1.0 + glm::dot(up, to_eye), glm::cross(up, to_eye)));
   const auto area = [&](double tip_A) {
-    const HeightField f = scanBy(u.molecule->spheres, tip_A, 0.25, facing);
-    return 0.0625 * double(std::count_if(f.atoms.begin(), f.atoms.end(), [&](std::int32_t a) {
+    const HeightField f = scanBy(u.molecule->spheres, tip_A, 0.5, facing);
+    return 0.25 * double(std::count_if(f.atoms.begin(), f.atoms.end(), [&](std::int32_t a) {
              return a >= 0 && std::binary_search(end.begin(), end.end(), std::uint32_t(a));
            }));
   };
