@@ -28,10 +28,11 @@ double highestOf(const HeightField& f) { return *std::max_element(f.heights_A.be
 
 /// The extent along x and y of what is higher than half of the highest node (unit: angstrom).
 std::pair<double, double> extentAtHalfHeight(const HeightField& f) {
+  const double half = 0.5 * highestOf(f);
   int low_x = f.columns, high_x = -1, low_y = f.rows, high_y = -1;
   for (int y = 0; y < f.rows; ++y)
     for (int x = 0; x < f.columns; ++x)
-      if (f.at(x, y) > 0.5 * highestOf(f)) {
+      if (f.at(x, y) > half) {
         low_x = std::min(low_x, x), high_x = std::max(high_x, x);
         low_y = std::min(low_y, y), high_y = std::max(high_y, y);
       }
@@ -40,9 +41,10 @@ std::pair<double, double> extentAtHalfHeight(const HeightField& f) {
 
 /// The same along y, across the middle of the scan.
 double widthInTheMiddle(const HeightField& f) {
+  const double half = 0.5 * highestOf(f);
   int low = f.rows, high = -1;
   for (int y = 0; y < f.rows; ++y)
-    if (f.at(f.columns / 2, y) > 0.5 * highestOf(f)) low = std::min(low, y), high = std::max(high, y);
+    if (f.at(f.columns / 2, y) > half) low = std::min(low, y), high = std::max(high, y);
   return f.spacing_A * (high - low);
 }
 
