@@ -266,7 +266,7 @@ TEST_CASE("the order of a prediction's choices on the worksheet does not depend 
   CHECK(has(sheet("x", " ", " "), "down there"));
 }
 
-TEST_CASE("of the 38 shipped predictions on the worksheets no place holds the right choice in more than half") {
+TEST_CASE("of the shipped predictions on the worksheets no place holds the right choice in more than half") {
   std::array<int, 3> at{};
   int all = 0;
   for (const Shipped& s : shipped()) {
@@ -283,7 +283,7 @@ TEST_CASE("of the 38 shipped predictions on the worksheets no place holds the ri
         ++all;
       }
   }
-  CHECK(all == 38);
+  CHECK(all >= 38);
   for (const int n : at) CHECK(2 * n <= all);
 }
 
