@@ -100,9 +100,4 @@ TEST_CASE("seeing-by-feeling.md is finished with the mouse alone, and with the k
   walk("seeing-by-feeling.md", LessonHand::By::Keyboard);
 }
 
-TEST_CASE("a-protein-breathes.md is finished with the mouse alone, and with the keyboard alone") {
-  walk("a-protein-breathes.md", LessonHand::By::Mouse);
-  walk("a-protein-breathes.md", LessonHand::By::Keyboard);
-}
-
 }  // namespace moltact
