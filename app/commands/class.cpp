@@ -35,7 +35,11 @@ std::string classFolderName(std::chrono::system_clock::time_point time) {
   return out;
 }
 
-std::string goOnCommand(const fs::path& folder) { return "moltact class --folder '" + folder.string() + "'"; }
+std::string goOnCommand(const fs::path& folder) {
+  // What the shell of the system takes for one word.
+  constexpr char kQuote = fs::path::preferred_separator == '\\' ? '"' : '\'';
+  return "moltact class --folder " + (kQuote + folder.string()) + kQuote;
+}
 
 // After a crash, whoever types the first command again begins another class, which no student's page knows.
 void tellOfOpenClass(const fs::path& classes) {

@@ -59,10 +59,10 @@ std::vector<InterfaceAddress> interfaceAddresses() {
     for (const auto* address = one->FirstUnicastAddress; address; address = address->Next) {
       const std::string ip = textOf(address->Address.lpSockaddr);
       if (ip.empty()) continue;
-      out.push_back({ip, one->OperStatus == IfOperStatusUp,
-                     one->IfType == IF_TYPE_SOFTWARE_LOOPBACK || one->IfType == IF_TYPE_PPP ||
-                         one->IfType == IF_TYPE_TUNNEL,
-                     virtualSwitch(one->FriendlyName)});
+      out.push_back(
+          {ip, one->OperStatus == IfOperStatusUp,
+           one->IfType == IF_TYPE_SOFTWARE_LOOPBACK || one->IfType == IF_TYPE_PPP || one->IfType == IF_TYPE_TUNNEL,
+           virtualSwitch(one->FriendlyName)});
     }
   return out;
 }
