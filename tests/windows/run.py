@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tries under Wine what the preset `windows` has built: python3 tests/windows/run.py [Installed]"""
+import collections
 import csv
 import json
 import os
@@ -8,6 +9,7 @@ import random
 import re
 import shutil
 import socket
+import struct
 import subprocess
 import sys
 import time
@@ -60,8 +62,15 @@ class UnderWine(unittest.TestCase):
                               env=os.environ | {"ALSA_CONFIG_PATH": str(config)}).stdout.decode()
         self.assertTrue(said.startswith("playing"), said)
         self.assertGreater(int(said.split()[1]), 48000)
-        bytes_of = wine.PLAYED.read_bytes()
-        print(said, len(bytes_of), bytes_of[:64])
+        left = [pair[0] for pair in struct.iter_unpack("<hh", wine.PLAYED.read_bytes())]
+        self.assertAlmostEqual(max(left), 16384, delta=20)  # half of what a word holds
+        rises = [k for k in range(1, len(left)) if left[k - 1] < 0 <= left[k]]
+        self.assertGreater(len(rises), 440)
+        # The most frequent period: where the computer stutters, others are longer.
+        periods = collections.Counter(b - a for a, b in zip(rises, rises[1:]))
+        period, often = periods.most_common(1)[0]
+        print(f"tone: {len(rises)} periods, {often} of them of {period} samples")
+        self.assertLess(abs(period - 48000 / 440), 1)
 
     def test_without_a_sound_card_the_sound_says_so(self):
         config = self.folder / "none.conf"

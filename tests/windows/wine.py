@@ -22,8 +22,11 @@ DISPLAY = None  # the X server's process
 
 # ALSA without a sound card: what is played goes to this file.
 PLAYED = FOLDER / "played.raw"
-ALSA = f"""pcm.!default {{ type plug slave.pcm {{ type file file "{PLAYED}" format raw slave.pcm "null" }} }}
-ctl.!default {{ type hw card 0 }}
+ALSA = f"""pcm.sink {{ type null }}
+pcm.!default {{
+  type plug
+  slave {{ pcm {{ type file file "{PLAYED}" format raw slave.pcm sink }} format S16_LE channels 2 rate 48000 }}
+}}
 """
 
 
