@@ -1,7 +1,7 @@
 // waveOut, Windows' own: the system signals an event when it has played a block, and the output's thread fills the block
 // again.
 #include <windows.h>
-// clang-format off: needs windows.h
+// clang-format off: needs the header above
 #include <mmsystem.h>
 // clang-format on
 

@@ -1,5 +1,5 @@
 #include <windows.h>
-// clang-format off: needs windows.h
+// clang-format off: needs the header above
 #include <bcrypt.h>
 // clang-format on
 
