@@ -25,6 +25,7 @@ if [ "${1:-}" = package ]; then
 fi
 if [ "${1:-}" = windows ]; then
   install_missing .ci/packages-windows >&2
+  rm -f build/windows/moltact-*-windows-x64*
   build_preset windows moltact_installer >&2
   ls "$root"/build/windows/moltact-*-windows-x64*
   exit 0
