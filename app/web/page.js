@@ -438,6 +438,8 @@
       record: (limit, from) => program.ccall("moltact_platform_record", "string", ["number", "number"], [limit, from]),
       news: (what) => { stir(); program._moltact_platform_news(what); },
     });
+    page.leavePlatform = () => reporter.leave(window);
+    if (platform.link.return_url) program._moltact_platform_returns();
     program.ccall("moltact_platform_open", null, ["string", "string"], [file, reporter.suspended]);
     stir();
     reporter.begin(window);

@@ -41,6 +41,7 @@ EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text))
 EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
 EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
 EM_JS(int, hasTouchScreen, (void), { return Module.page.fingers() ? 1 : 0; })
+EM_JS(void, leavePlatform, (void), { Module.page.leavePlatform(); })
 EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
 
 namespace moltact {
@@ -260,6 +261,9 @@ EMSCRIPTEN_KEEPALIVE void moltact_code(const char* code) { moltact::assignedCode
 EMSCRIPTEN_KEEPALIVE void moltact_platform_open(const char* pack, const char* suspended) {
   moltact::openInPlatform(pack, suspended);
 }
+
+// The platform names an address to return to.
+EMSCRIPTEN_KEEPALIVE void moltact_platform_returns() { moltact::platformReturn() = leavePlatform; }
 
 // The record for the platform (learning_record.h) with the interactions from the index `from` on; empty before the
 // student has begun. `max_chars`: limit of the suspended text.
