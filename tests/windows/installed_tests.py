@@ -1,18 +1,16 @@
-"""The installer and the zip under Wine: installed, used, installed over an older one, removed."""
-import json
+"""The installer under Wine: installed over an older one, removed, refused."""
 import shutil
 import subprocess
 import time
 import unittest
-import zipfile
 
 import wine
 from hip_paths import ROOT
-from wine import BUILT, DRIVE, PICTURES, WINE, there
+from wine import BUILT, DRIVE, WINE
 
 VERSION = next(line.split()[2] for line in (ROOT / "CMakeLists.txt").read_text().splitlines() if line.startswith("project(moltact"))
 NAME = f"moltact-{VERSION}-windows-x64"
-SETUP, ZIP = BUILT / f"{NAME}-setup.exe", BUILT / f"{NAME}.zip"
+SETUP = BUILT / f"{NAME}-setup.exe"
 # The command line of the installer takes a folder as it is, without quotation marks.
 FOLDER, ITS_WORDS = "C:\\Schüler Übung\\Moltact", ["/D=C:\\Schüler", "Übung\\Moltact"]
 AT = DRIVE / "Schüler Übung" / "Moltact"
@@ -73,9 +71,6 @@ class Installed(unittest.TestCase):
             time.sleep(0.5)
         wine.server("-w") if not self.registered() else None
 
-    def moltact(self, *arguments, status=0):
-        return self.run_wine(f"{FOLDER}\\moltact.exe", *arguments, status=status)
-
     def value(self, key, name=None):
         """A value of the registry; empty if it is missing."""
         done = subprocess.run([WINE, "reg", "query", key, *(["/v", name] if name else ["/ve"])], capture_output=True)
@@ -83,53 +78,6 @@ class Installed(unittest.TestCase):
 
     def registered(self):
         return self.value(ENTRY, "DisplayVersion")
-
-    def test_installed_silently_used_and_removed_it_leaves_the_work_and_nothing_of_its_own(self):
-        self.install()
-        self.assertEqual(listing(AT), self.built | {"uninstall.exe"})
-        self.assertEqual(self.registered(), VERSION)
-        self.assertTrue((self.links / "Moltact.lnk").exists())
-        self.assertEqual(self.value(CLASSES + r"\.moltact"), "Moltact.Pack")
-
-        self.assertIn(VERSION, self.moltact("--version"))
-        self.assertIn("602", self.moltact("info", "1ubq"))
-        self.assertIn("first-touch.md", self.moltact("check", f"{FOLDER}\\lessons\\first-touch.md"))
-        seen = PICTURES / "installed-lesson.png"
-        self.moltact(f"{FOLDER}\\lessons\\first-touch.md", "--screenshot", there(seen), "--size", "1280x800", "--script",
-                     there(ROOT / "docs" / "pictures" / "ubiquitin.script"))
-        self.assertGreater(wine.shown(seen, "-crop", "400x400+700+150", "+repage"), 0.3)
-
-        self.uninstall()
-        self.assertFalse(AT.exists(), sorted(listing(AT))[:5] if AT.exists() else "")
-        self.assertEqual(self.registered(), "")
-        self.assertFalse((self.links / "Moltact.lnk").exists())
-        left = self.run_wine("reg", "query", CLASSES, "/s")
-        self.assertNotIn("moltact", left.lower())
-        for file in self.work:
-            self.assertEqual(file.read_text(), "{}\n")
-
-    def test_a_pack_opens_in_the_installed_window_and_meanwhile_it_is_neither_replaced_nor_removed(self):
-        self.install()
-        pack = wine.FOLDER / "Übung 1.moltact"
-        self.moltact("pack", f"{FOLDER}\\lessons\\first-touch.md", "--out", there(pack))
-        opened = subprocess.Popen([WINE, "start", "/wait", there(pack)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            until = time.monotonic() + 180
-            window = wine.window_of_moltact(until)
-            share = wine.show_molecule(window, PICTURES / "installed-window.png", until)
-            print(f"installed window: {share:.1%} of its view is not background")
-            self.assertGreater(share, 0.3)
-            before = listing(AT)
-            self.install(status=OPEN)
-            self.run_wine(f"{FOLDER}\\uninstall.exe", "/S", "_?=C:\\Schüler", "Übung\\Moltact", status=OPEN)
-            self.assertEqual(listing(AT), before)
-            self.assertEqual(self.registered(), VERSION)
-            subprocess.run(["xdotool", "windowfocus", window, "key", "ctrl+q"], check=True)
-            opened.wait(60)
-        finally:
-            if opened.poll() is None:
-                wine.server("-k")
-        self.install()
 
     def test_over_an_older_version_no_old_file_remains_but_those_of_the_person_do(self):
         self.install(self.old)
@@ -160,20 +108,6 @@ class Installed(unittest.TestCase):
         self.install(status=REFUSED, words=["/D=Z:\\proc\\moltact"])
         self.assertEqual(self.registered(), "")
         self.assertEqual(self.work[0].read_text(), "{}\n")
-
-    def test_the_zip_runs_where_it_is_unpacked(self):
-        folder = DRIVE / "Übung zwei"
-        with zipfile.ZipFile(ZIP) as archive:
-            archive.extractall(folder)
-        self.assertEqual(listing(folder / "moltact"), self.built)
-        program = "C:\\Übung zwei\\moltact\\moltact.exe"
-        self.assertIn(VERSION, self.run_wine(program, "--version"))
-        facts = json.loads(self.run_wine(program, "info", "2hhb", "--json"))
-        self.assertTrue(facts)
-        seen = PICTURES / "zip-render.png"
-        self.run_wine(program, "render", "1ubq", "--out", there(seen), "--size", "640x400")
-        self.assertGreater(wine.shown(seen), 0.2)
-        shutil.rmtree(folder)
 
     def test_the_licences_of_what_is_linked_in_are_there(self):
         text = (BUILT / "moltact" / "licences" / "libraries.txt").read_text()

@@ -2,20 +2,15 @@
 """Tries under Wine what the preset `windows` has built: python3 tests/windows/run.py [Installed]"""
 import collections
 import csv
-import json
 import os
 import pathlib
 import random
-import re
 import shutil
-import socket
 import struct
 import subprocess
 import sys
 import time
 import unittest
-import urllib.error
-import urllib.request
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hip_path"))
 from hip_paths import DESKTOP, MOST_A, ROOT, hand, hold_against_the_desktop  # noqa: E402
@@ -78,54 +73,6 @@ class UnderWine(unittest.TestCase):
         said = subprocess.run([WINE, BUILT / "moltact_tone.exe"], check=True, capture_output=True, timeout=120,
                               env=os.environ | {"ALSA_CONFIG_PATH": str(config)}).stdout.decode()
         self.assertEqual(said.strip(), "silent 0 There is no sound: this computer has no sound card that can be opened now.")
-
-    def test_a_class_is_joined_keeps_what_students_send_and_has_its_port_for_itself(self):
-        page = self.folder / "page.html"
-        page.write_text('<html><script type="text/plain" id="classroom-script"></script><!--a lesson comes here--></html>')
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        command = [WINE, PROGRAM, "class", "first-touch", "--share", "--port", str(port), "--page", there(page), "--folder"]
-        running = subprocess.Popen([*command, there(self.folder / "class")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        try:
-            told = b""
-            while b"Ctrl+C" not in told:
-                line = running.stdout.readline()
-                self.assertTrue(line, told.decode(errors="replace"))
-                told += line
-            told = told.decode()
-            self.assertIn("█", told)  # the QR code
-            code, token = (re.search(pattern, told).group(1) for pattern in (rf":{port}/(\w+)/", r"/teacher/(\w+)/"))
-            here = f"http://127.0.0.1:{port}"
-
-            def ask(path, body=None):
-                request = urllib.request.Request(here + path, None if body is None else json.dumps(body).encode(),
-                                                 {"Content-Type": "application/json"})
-                try:
-                    with urllib.request.urlopen(request, timeout=30) as answer:
-                        return answer.status, answer.read()
-                except urllib.error.HTTPError as error:
-                    return error.code, error.read()
-
-            self.assertIn(b"class-facts", ask(f"/{code}/")[1])
-            self.assertTrue(ask(f"/{code}/lesson/0")[1].startswith(b"PK"))
-            self.assertEqual(ask("/wrongone/")[0], 404)
-            names = ["Ada", "Grüße"]
-            joined = [json.loads(ask(f"/{code}/join", {"name": name})[1])["token"] for name in names]
-            self.assertEqual(len(set(joined)), 2)
-            teacher = ask(f"/teacher/{token}/")[1].decode()
-            for name in names:
-                self.assertIn(name, teacher)
-            # Another program cannot serve the same port.
-            other = subprocess.run([*command, there(self.folder / "other")], capture_output=True, timeout=120)
-            self.assertEqual(other.returncode, 1)
-            self.assertIn(f"the port {port} of this computer cannot be served", other.stderr.decode())
-        finally:
-            running.kill()
-            running.wait()
-            running.stdout.close()
-        journal = "".join(file.read_text(errors="replace") for file in (self.folder / "class").rglob("*") if file.is_file())
-        self.assertIn("Grüße", journal)
 
     def test_replay_feels_what_it_feels_on_the_desktop(self):
         seed = random.randrange(1 << 30)
