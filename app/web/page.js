@@ -465,6 +465,7 @@
     program.ccall("moltact_class_begin", null, ["string"], [student.name]);
     const {FS} = program;
     let held = {};
+    const sceneOf = () => JSON.parse(program.ccall("moltact_class_scene", "string", [], []) || "null");
     globalThis.moltactSender = moltactClassroom.begin(student, {  // named for debugging
       files: () => FS.analyzePath(kAttempts).exists ? FS.readdir(kAttempts).filter((name) => name.endsWith(".jsonl")).sort() : [],
       read(name, all) {
@@ -472,6 +473,14 @@
         return all ? bytes : bytes.subarray(0, keeper.stored(kAttempts + "/" + name));
       },
       leave: () => keeper.leaveToOther(),
+      place() {
+        const scene = sceneOf();
+        return scene && {lesson: scene.lesson, step: scene.step};
+      },
+      async picture() {
+        const at = document.hidden ? null : sceneOf()?.at;
+        return at ? moltactClassroom.smallPicture(canvas, at, document) : "";
+      },
       held(table) {
         const hold = (lesson, step) => program.ccall("moltact_class_hold", null, ["string", "number"], [lesson, step]);
         for (const lesson of Object.keys(held)) if (!Object.hasOwn(table, lesson)) hold(lesson, -1);
