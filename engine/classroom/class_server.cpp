@@ -126,6 +126,8 @@ ClassServer::ClassServer() : impl_(std::make_unique<Impl>()) {
 
 ClassServer::~ClassServer() = default;
 
+std::chrono::steady_clock::time_point ClassServer::clockBegan() const { return impl_->began; }
+
 Expected<int> ClassServer::bind(bool share, int port) {
   impl_->address = share ? "0.0.0.0" : "127.0.0.1";
   int bound = port;
