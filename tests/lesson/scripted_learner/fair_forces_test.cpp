@@ -69,7 +69,9 @@ TEST_CASE(
     "answers to 'same' with forces on and off by a coin, always the same, or half of each pass a round of eight as "
     "often as coins do, 14.5 %") {
   Passes table;
-  const std::vector<Found> found = tasksInForces("same");
+  std::vector<Found> found = tasksInForces("same");
+  // A round before the explanation is a measurement, which nobody fails.
+  std::erase_if(found, [](const Found& f) { return f.spec().values["asked"].text == "before"; });
   REQUIRE_FALSE(found.empty());
   for (const Found& f : found) {
     const StepPicture picture(*f.step);
