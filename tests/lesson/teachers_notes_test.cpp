@@ -38,13 +38,10 @@ const std::vector<Part> kGerman{{"Vorwissen:"},
                                 {"Mit einem Gerät"},
                                 {"Ohne Gerät"},
                                 {"Was das Modell auslässt", "Was das Modell weglässt", "Das Modell lässt"}};
-const std::vector<Part> kFrench{{"Connaissances préalables"},  // without the colon, before which stands a no-break space
-                                {"Idées fausses fréquentes"},
-                                {"Réponse attendue"},
-                                {"Pour la discussion"},
-                                {"Avec un seul appareil"},
-                                {"Sans appareil"},
-                                {"Ce que le modèle omet"}};
+const std::vector<Part> kFrench{
+    {"Connaissances préalables"},  // without the colon, before which stands a no-break space
+    {"Idées fausses fréquentes"}, {"Réponse attendue"}, {"Pour la discussion"},
+    {"Avec un seul appareil"},    {"Sans appareil"},    {"Ce que le modèle omet"}};
 
 const std::vector<Part>& partsOf(const std::string& name) {
   return name.ends_with(".de") ? kGerman : name.ends_with(".fr") ? kFrench : kEnglish;
