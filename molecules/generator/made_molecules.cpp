@@ -30,6 +30,9 @@ std::vector<MadeMolecule> madeMolecules(const std::string& haemoglobin, const st
       {"amprenavir.pdb", makeAmprenavir(protease)},
       {"1hpv-open.pdb", makeOpenProtease(protease, 24.0)},
       {"key-and-lock.pdb", makeKeyAndLock()},
+      {"three-pairs.pqr", makeThreePairs()},
+      {"base-partners.pqr", makeBasePartners()},
+      {"base-pairs.pqr", makeBasePairs()},
   };
 }
 

@@ -83,7 +83,8 @@ TEST_CASE(
                                         "press: anywhere\nuntil: 0.5 N",
                                         "feel: atoms",
                                         "compare: places\nof: name N then name CA",
-                                        "contacts: anywhere\ncount: 2"};
+                                        "contacts: anywhere\ncount: 2",
+                                        "same: name N\nplace: name CA"};
   for (const std::string& keys : judged) {
     CAPTURE(keys);
     CHECK(errorsOf(step(keys)) == std::vector<std::string>());
@@ -99,7 +100,7 @@ TEST_CASE(
       {"trace: name N then name CA", "'trace'"},
       {"find: name N", "'find'"},
       {"predict: name N", "'predict'"},
-      {"same: name N\nplace: name CA", "'same'"},
+      {"same: anywhere\nfriction: 0.5", "'same' in this form"},
       {"fit: name N\nmost: 6 Å", "'fit'"},
       {"measure: name N\nto: name CA", "'measure'"},
       {"order: name N then name CA\nfirst: the larger", "'order'"}};
