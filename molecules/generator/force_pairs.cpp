@@ -1,5 +1,5 @@
 // Molecules for the forces between atoms, with the charges of AMBER in the file: three pairs that hold together more and
-// less firmly, and bases of DNA with their partners. Hydrogens on nitrogen and oxygen have the radius 0.6 A, so that a
+// less firmly, and bases of DNA with their partners. Hydrogens on nitrogen and oxygen have the radius 0.9 A, so that a
 // hand can bring them as near to another atom as hydrogen bonds do.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace moltact::generator {
 namespace {
 
-constexpr double kPolarHydrogen_A = 0.6;  // AMBER's rmin / 2 of a hydrogen on nitrogen
+constexpr double kPolarHydrogen_A = 0.9;  // with 0.5 A less in the hand it meets oxygen at 1.92 A
 
 struct ChargedAtom {
   std::string name, residue, element;
@@ -46,7 +46,7 @@ std::string writePqr(const std::vector<std::string>& remarks, const std::vector<
 }
 
 constexpr const char* kForceMaker = "MADE BY MOLTACT_GENERATE_MOLECULES";
-constexpr const char* kPolarRemark = "RADII: BONDI; HYDROGENS ON N AND O 0.6 A, AMBER'S RMIN/2";
+constexpr const char* kPolarRemark = "RADII: BONDI; HYDROGENS ON N AND O 0.9 A, SO THAT A HELD BODY COMES AS NEAR AS A HYDROGEN BOND";
 
 Vec3 aboutZ(const Vec3& v, double deg) {
   const double a = radians(deg);
