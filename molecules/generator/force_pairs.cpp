@@ -1,6 +1,5 @@
 // Molecules for the forces between atoms, with the charges of AMBER in the file: three pairs that hold together more and
-// less firmly, and bases of DNA with their partners. Hydrogens on nitrogen and oxygen have the radius 0.9 A, so that a
-// hand can bring them as near to another atom as hydrogen bonds do.
+// less firmly, and bases of DNA with their partners.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,8 +12,6 @@
 namespace moltact::generator {
 namespace {
 
-constexpr double kPolarHydrogen_A = 0.9;  // with 0.5 A less in the hand it meets oxygen at 1.92 A
-
 struct ChargedAtom {
   std::string name, residue, element;
   char chain = 'A';
@@ -24,10 +21,14 @@ struct ChargedAtom {
   bool polar = false;  // a hydrogen on nitrogen or oxygen
 };
 
-// Bondi's radii (J. Phys. Chem. 68, 441, 1964).
+// Of heavy atoms AMBER's rmin / 2 less 0.1 A: a hand that holds one, 0.5 A smaller, stops where a hydrogen bond has its
+// least energy. Bondi's radii (J. Phys. Chem. 68, 441, 1964) would let the charges draw it farther in.
 double radiusOf(const ChargedAtom& a) {
+  constexpr double kPolarHydrogen_A = 0.7, kWaterOxygen_A = 1.668;
   if (a.polar) return kPolarHydrogen_A;
-  static const std::map<std::string, double> kRadii{{"H", 1.20}, {"C", 1.70}, {"N", 1.55}, {"O", 1.52}, {"AR", 1.88}};
+  if (a.residue == "WTR") return kWaterOxygen_A;
+  static const std::map<std::string, double> kRadii{
+      {"H", 1.20}, {"C", 1.808}, {"N", 1.724}, {"O", 1.561}, {"AR", 1.88}};
   return kRadii.at(a.element);
 }
 
@@ -46,7 +47,8 @@ std::string writePqr(const std::vector<std::string>& remarks, const std::vector<
 }
 
 constexpr const char* kForceMaker = "MADE BY MOLTACT_GENERATE_MOLECULES";
-constexpr const char* kPolarRemark = "RADII: BONDI; HYDROGENS ON N AND O 0.9 A, SO THAT A HELD BODY COMES AS NEAR AS A HYDROGEN BOND";
+constexpr const char* kPolarRemark =
+    "RADII: OF HEAVY ATOMS AMBER'S RMIN/2 LESS 0.1 A, OF HYDROGENS 1.2 A, ON N AND O 0.7 A";
 
 Vec3 aboutZ(const Vec3& v, double deg) {
   const double a = radians(deg);

@@ -63,7 +63,8 @@ class ShippedPair {
 
   /// The deepest energy that this number of falls beside the file's pose lead to.
   double well(int falls, double within_A = 2.0) const {
-    const auto wells = wellsBeside(PoseGoal(body_, PoseA{body_->middle}), {within_A, std::numbers::pi}, *forces_, falls);
+    const auto wells =
+        wellsBeside(PoseGoal(body_, PoseA{body_->middle}), {within_A, std::numbers::pi}, *forces_, falls);
     return wells.empty() ? 0.0 : wells.front().energy.total_kcal_mol();
   }
 
