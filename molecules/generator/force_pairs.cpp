@@ -24,9 +24,9 @@ struct ChargedAtom {
 // Of heavy atoms AMBER's rmin / 2 less 0.1 A: a hand that holds one, 0.5 A smaller, stops where a hydrogen bond has its
 // least energy. Bondi's radii (J. Phys. Chem. 68, 441, 1964) would let the charges draw it farther in.
 double radiusOf(const ChargedAtom& a) {
-  constexpr double kPolarHydrogen_A = 0.7, kWaterOxygen_A = 1.668;
+  constexpr double kPolarHydrogen_A = 0.7, kWaterOxygen_A = 1.668, kWaterHydrogen_A = 0.76;
+  if (a.residue == "WTR") return a.polar ? kWaterHydrogen_A : kWaterOxygen_A;
   if (a.polar) return kPolarHydrogen_A;
-  if (a.residue == "WTR") return kWaterOxygen_A;
   static const std::map<std::string, double> kRadii{
       {"H", 1.20}, {"C", 1.808}, {"N", 1.724}, {"O", 1.561}, {"AR", 1.88}};
   return kRadii.at(a.element);
@@ -48,7 +48,7 @@ std::string writePqr(const std::vector<std::string>& remarks, const std::vector<
 
 constexpr const char* kForceMaker = "MADE BY MOLTACT_GENERATE_MOLECULES";
 constexpr const char* kPolarRemark =
-    "RADII: OF HEAVY ATOMS AMBER'S RMIN/2 LESS 0.1 A, OF HYDROGENS 1.2 A, ON N AND O 0.7 A";
+    "RADII: OF HEAVY ATOMS AMBER'S RMIN/2 LESS 0.1 A, OF HYDROGENS 1.2 A, ON N 0.7 A, OF WATER 0.76 A";
 
 Vec3 aboutZ(const Vec3& v, double deg) {
   const double a = radians(deg);
