@@ -21,14 +21,14 @@ struct ChargedAtom {
   bool polar = false;  // a hydrogen on nitrogen or oxygen
 };
 
-// Of heavy atoms AMBER's rmin / 2 less 0.1 A: a hand that holds one, 0.5 A smaller, stops where a hydrogen bond has its
-// least energy. Bondi's radii (J. Phys. Chem. 68, 441, 1964) would let the charges draw it farther in.
+// Such that what the hand holds, 0.5 A smaller, stops where a hydrogen bond has its least energy. Bondi's radii (J. Phys.
+// Chem. 68, 441, 1964) would stop it before.
 double radiusOf(const ChargedAtom& a) {
-  constexpr double kPolarHydrogen_A = 0.7, kWaterOxygen_A = 1.668, kWaterHydrogen_A = 0.76;
+  constexpr double kPolarHydrogen_A = 0.75, kWaterOxygen_A = 1.668, kWaterHydrogen_A = 0.76, kAmmonium_A = 1.724;
   if (a.residue == "WTR") return a.polar ? kWaterHydrogen_A : kWaterOxygen_A;
+  if (a.residue == "MAM" && a.element == "N") return kAmmonium_A;
   if (a.polar) return kPolarHydrogen_A;
-  static const std::map<std::string, double> kRadii{
-      {"H", 1.20}, {"C", 1.808}, {"N", 1.724}, {"O", 1.561}, {"AR", 1.88}};
+  static const std::map<std::string, double> kRadii{{"H", 1.20}, {"C", 1.808}, {"N", 1.60}, {"O", 1.561}, {"AR", 1.88}};
   return kRadii.at(a.element);
 }
 
@@ -47,8 +47,7 @@ std::string writePqr(const std::vector<std::string>& remarks, const std::vector<
 }
 
 constexpr const char* kForceMaker = "MADE BY MOLTACT_GENERATE_MOLECULES";
-constexpr const char* kPolarRemark =
-    "RADII: OF HEAVY ATOMS AMBER'S RMIN/2 LESS 0.1 A, OF HYDROGENS 1.2 A, ON N 0.7 A, OF WATER 0.76 A";
+constexpr const char* kPolarRemark = "RADII: SUCH THAT A HELD BODY STOPS WHERE A HYDROGEN BOND HAS ITS LEAST ENERGY";
 
 Vec3 aboutZ(const Vec3& v, double deg) {
   const double a = radians(deg);
@@ -246,16 +245,16 @@ std::string makeBasePartners() {
 }
 
 std::string makeBasePairs() {
-  constexpr double kAside_A = 26.0;
+  constexpr double kAside_A = 26.0, kClear_A = 0.15, kKept_A = 3.0;
   std::vector<ChargedAtom> atoms;
   append(atoms, baseAlone('T', -1, 'A', {-kAside_A, 0, 0}));
   append(atoms, baseAlone('C', -1, 'B', {0, 0, 0}));
   append(atoms, baseAlone('C', -1, 'C', {kAside_A, 0, 0}));
-  append(atoms, baseAlone('A', 1, 'D', {-kAside_A, 0, 0}));
-  append(atoms, baseAlone('G', 1, 'E', {0, 0, 0}));
-  append(atoms, baseAlone('A', 1, 'F', {kAside_A, 0, 0}));
+  append(atoms, baseAlone('A', 1, 'D', {-kAside_A, kClear_A, 0}));
+  append(atoms, baseAlone('G', 1, 'E', {0, 2 * kClear_A, 0}));
+  append(atoms, baseAlone('A', 1, 'F', {kAside_A, kKept_A, 0}));
   return writePqr(
-      {"THREE PAIRS OF BASES SIDE BY SIDE: T AND A (A, D), C AND G (B, E), C AND A (C, F)",
+      {"THREE PAIRS OF BASES SIDE BY SIDE: T AND A (A, D), C AND G (B, E), C AND A (C, F), 3 A APART",
        "PLACES IN THE FIBRE OF B-DNA: S. ARNOTT, D. W. L. HUKINS, B.B.R.C. 47, 1504 (1972), MADE FLAT",
        "CHARGES OF AMBER OL15; A HYDROGEN IN PLACE OF THE SUGAR MAKES THE SUM ZERO", kPolarRemark, kForceMaker},
       atoms);

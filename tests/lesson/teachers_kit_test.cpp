@@ -22,11 +22,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kLessons{
-    "a-drug-in-its-tunnel", "a-hole-in-the-membrane", "a-protein-reads-dna",      "a-virus-in-the-hand",
-    "an-enzymes-door",      "bond-or-contact",        "coils-and-sheets",         "dna-grooves-blind",
-    "first-touch",          "four-chains-as-one",     "how-touch-is-computed",    "hydrogen-bonds",
-    "left-or-right",        "the-haem-in-its-pocket", "straight-and-kinked-fats", "the-probe-decides"};
+/// The names of the lessons in lessons/, in alphabetical order, without the translations.
+const std::vector<std::string>& lessonNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> out;
+    for (const auto& entry : fs::directory_iterator(fs::path(MOLTACT_SOURCE_DIR) / "lessons"))
+      if (looksLikeLesson(entry.path()) && lessonName(entry.path()).language.empty())
+        out.push_back(entry.path().stem().string());
+    std::sort(out.begin(), out.end());
+    return out;
+  }();
+  return names;
+}
 
 struct Shipped {
   fs::path file;
@@ -37,7 +44,7 @@ struct Shipped {
 const std::vector<Shipped>& shipped() {
   static const std::vector<Shipped> all = [] {
     std::vector<Shipped> out;
-    for (const std::string& name : kLessons)
+    for (const std::string& name : lessonNames())
       for (const char* language : {"", ".de"}) {
         const fs::path file = fs::path(MOLTACT_SOURCE_DIR) / "lessons" / (name + language + ".md");
         LessonReading read = readLesson(file);
@@ -112,8 +119,9 @@ Lesson smallLesson(const std::string& body = "") {
 
 }  // namespace
 
-TEST_CASE("each of the sixteen shipped lessons has a complete kit in English and in German") {
-  CHECK(shipped().size() == 32);
+TEST_CASE("each shipped lesson has a complete kit in English and in German") {
+  CHECK(lessonNames().size() >= 16);
+  CHECK(shipped().size() == 2 * lessonNames().size());
   for (const Shipped& s : shipped()) {
     CAPTURE(s.file.string());
     CHECK(s.kit.present);
@@ -258,7 +266,7 @@ TEST_CASE("the order of a prediction's choices on the worksheet does not depend 
   CHECK(has(sheet("x", " ", " "), "down there"));
 }
 
-TEST_CASE("of the 38 shipped predictions on the worksheets no place holds the right choice in more than half") {
+TEST_CASE("of the shipped predictions on the worksheets no place holds the right choice in more than half") {
   std::array<int, 3> at{};
   int all = 0;
   for (const Shipped& s : shipped()) {
@@ -275,7 +283,7 @@ TEST_CASE("of the 38 shipped predictions on the worksheets no place holds the ri
         ++all;
       }
   }
-  CHECK(all == 38);
+  CHECK(all >= 38);
   for (const int n : at) CHECK(2 * n <= all);
 }
 
@@ -310,8 +318,10 @@ TEST_CASE("the words of a worksheet are none that answer a question of the core:
           for (const Choice& c : q.choices)
             if (c.right && !step.aside) CHECK_MESSAGE(!has(plainText(c.text), word->word), word->word);
   }
-  const auto words = kit::worksheetWords(shipped()[16].lesson);
-  CHECK(shipped()[16].file.stem() == "first-touch");
+  const auto first =
+      std::find_if(shipped().begin(), shipped().end(), [](const Shipped& s) { return s.file.stem() == "first-touch"; });
+  REQUIRE(first != shipped().end());
+  const auto words = kit::worksheetWords(first->lesson);
   CHECK(std::none_of(words.begin(), words.end(), [](const GlossaryWord* w) { return w->word == "crease"; }));
   CHECK(
       std::any_of(words.begin(), words.end(), [](const GlossaryWord* w) { return w->word == "van der Waals radius"; }));
@@ -384,7 +394,7 @@ TEST_CASE("text of a lesson and of its kit cannot become a tag of the page") {
 TEST_CASE("a kit is no lesson and stands in no lesson's list; no lesson's own text holds an answer of its kit") {
   const LessonFolder folder = lessonsIn(fs::path(MOLTACT_SOURCE_DIR) / "lessons");
   for (const fs::path& file : folder.lessons) CHECK_FALSE_MESSAGE(isKitFile(file), file.string());
-  CHECK(std::count_if(folder.others.begin(), folder.others.end(), isKitFile) == 32);
+  CHECK(std::count_if(folder.others.begin(), folder.others.end(), isKitFile) == std::ptrdiff_t(shipped().size()));
   for (const Shipped& s : shipped()) {
     std::ifstream in(s.file);
     const std::string text((std::istreambuf_iterator<char>(in)), {});

@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t kMaxLigands = 4;
 // Between the wells of two ligands lie at least so many kcal/mol, or the deeper one is so many times as deep.
 constexpr double kFirmer_kcal_mol = 2.0, kFirmerTimes = 3.0;
-constexpr double kBesidePlace_A = 2.0;    // so far from the file's pose a well belongs to it (rms of the atoms)
-constexpr int kFallsAtLigand = 6;         // into the well of each
-constexpr double kPulls_A = 0.5;          // so far from the place a hand pulls; nearer it holds the ligand there
-constexpr double kDemonstrated_A = 0.5;   // of a demonstrated pull, as a share of `within`
+constexpr double kBesidePlace_A = 2.0;   // so far from the file's pose a well belongs to it (rms of the atoms)
+constexpr int kFallsAtLigand = 6;        // into the well of each
+constexpr double kPulls_A = 0.5;         // so far from the place a hand pulls; nearer it holds the ligand there
+constexpr double kDemonstrated_A = 0.5;  // of a demonstrated pull, as a share of `within`
 constexpr double kPulled_A_per_s = 2.0;
 
 struct LigandWords {
