@@ -84,8 +84,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a hand that pulls the upper water straight off the other needs more than three times the force that holds the "
-    "argon, and gets it off; so it does with the argon, whose 14 pN the task says") {
+    "the steepest slope on the way straight off the other water is more than three times the greatest force of the "
+    "argon") {
   const Lesson lesson = shippedLesson(kAtoms);
   CHECK(taskOf(lesson, "a-hydrogen-bond", "pull").values["pull"].number == 2.5);
   const ShippedPair water("three-pairs", "chain B", "chain E", "all", "water");
