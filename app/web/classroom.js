@@ -5,6 +5,7 @@
 
 const moltactClassroom = (() => {
   const kPoll_ms = 2000, kRetry_ms = 3000, kGone_ms = 20000, kWait_ms = 10000, kShown_ms = 5000;
+  const kPicture_ms = 500, kPictureWide = 640, kPictureHigh = 480, kMostPicture = 48 << 10, kQualities = [0.7, 0.5, 0.3];
   const kHere_ms = 250, kLeave_ms = 3000, kMostKeys = 9;
   const kMostBytes = 200000, kMostLines = 2000, kClosing_bytes = 60000;
 
@@ -31,6 +32,12 @@ const moltactClassroom = (() => {
       "other tab": "You go on with this lesson in another tab. Close this one.",
       "many": "Many students join now. Wait a moment.",
       "hello": "You are {0}.",
+      "scene asked": "Your teacher asks: may the class see your scene on the projector? It shows the molecule and your probe as you see them, and no answers, until you leave this step. You can stop it at any time.",
+      "scene, with name": "Yes, with my name",
+      "scene, without name": "Yes, without my name",
+      "scene, no": "No",
+      "scene shown": "The class can see your scene.",
+      "scene, stop": "Stop",
     },
     de: {
       "welcome": "An der Klasse teilnehmen",
@@ -54,6 +61,12 @@ const moltactClassroom = (() => {
       "other tab": "Du machst in einem anderen Tab mit dieser Lektion weiter. Schließe diesen hier.",
       "many": "Gerade nehmen viele teil. Warte einen Moment.",
       "hello": "Du bist {0}.",
+      "scene asked": "Deine Lehrkraft fragt: Darf die Klasse deine Szene am Beamer sehen? Sie zeigt das Molekül und deine Sonde, wie du sie siehst, und keine Antworten, bis du diesen Schritt verlässt. Du kannst es jederzeit beenden.",
+      "scene, with name": "Ja, mit meinem Namen",
+      "scene, without name": "Ja, ohne meinen Namen",
+      "scene, no": "Nein",
+      "scene shown": "Die Klasse kann deine Szene sehen.",
+      "scene, stop": "Beenden",
     },
   };
 
@@ -75,7 +88,19 @@ const moltactClassroom = (() => {
     #class-join :focus-visible { outline: 3px solid #2a6fdb66; outline-offset: 2px; }
     #class-said { position: absolute; z-index: 2; right: .5em; bottom: .25em; max-width: calc(100% - 3em); padding: .15em .9em;
       border-radius: 1em; background: #1d2430; color: #fff; font-size: .82em; line-height: 1.45; pointer-events: none; }
-    #class-said[hidden] { display: none; }`;
+    #class-said[hidden] { display: none; }
+    #class-scene { position: absolute; z-index: 2; left: 50%; top: .6em; transform: translateX(-50%); box-sizing: border-box;
+      width: min(34em, calc(100% - 1.2em)); padding: .9em 1.1em; border-radius: 12px; background: #fff; color: #1d2430;
+      border: 1px solid #d9dfe6; box-shadow: 0 .4em 1.8em #1d243030; line-height: 1.4; }
+    #class-scene.showing { width: auto; display: flex; align-items: center; gap: 1em; padding: .35em .5em .35em 1em; background: #b4480a;
+      color: #fff; border: 0; white-space: nowrap; }
+    #class-scene p { margin: 0; }
+    #class-scene .answers { display: flex; flex-wrap: wrap; gap: .5em; margin-top: .7em; }
+    #class-scene button { font: inherit; font-weight: 600; padding: .5em .9em; border-radius: 9px; cursor: pointer; border: 1.5px solid #2a6fdb;
+      background: #fff; color: #1f5bb8; }
+    #class-scene.showing button { border-color: #fff; color: #8f3808; padding: .3em .8em; }
+    #class-scene button:hover { filter: brightness(.96); }
+    #class-scene :focus-visible { outline: 3px solid #2a6fdb66; outline-offset: 2px; }`;
 
   const guarded = (storage) => ({
     get(key) { try { return storage().getItem(key); } catch { return null; } },
@@ -207,6 +232,7 @@ const moltactClassroom = (() => {
         if (status === 413 && batch && batch.lines.length > 1 && !this.few) { this.few = true; continue; }
         this.few = false;
         if (json.held) this.page.held(json.held);
+        if (status === 200) this.page.scene?.(json.scene ?? null);
         if (json.ended !== undefined) this.ended = json.ended === true;
         if (!batch) return status === 200 ? "all" : "lost";
         if (Number.isInteger(json.have)) this.take(batch, status, json);
@@ -250,6 +276,8 @@ const moltactClassroom = (() => {
       const all = got === "all", gone = got === "gone";
       this.wait_until_ms = all ? 0 : now_ms + (gone ? kGone_ms : kRetry_ms);
       if (got === "later") return;
+      // Also what the browser has not yet stored has to arrive first.
+      if (all && this.ended && this.next(undefined, true)) return;
       if (all && this.ended) {
         this.over = true;
         this.page.said([...this.places.values()].some((place) => place.refused) ? "ended, some kept" : "ended", true);
@@ -269,6 +297,118 @@ const moltactClassroom = (() => {
       if (new TextEncoder().encode(JSON.stringify(body)).length > kClosing_bytes) return;
       this.ask("lines", body, {keepalive: true}).catch(() => {});
     }
+  }
+
+  // ---- the scene, for the class to see ------------------------------------------------------------------------------------
+
+  // The teacher's question and the student's answer; then pictures, until the student stops, the step is left or the class
+  // says that it is over. `page`: ask(answer) shows the question, showing(stop) that the class can see the scene, quiet()
+  // neither; place() gives {lesson, step}, or null; picture() resolves to base64, "" if the scene may not be seen now.
+  class SceneShare {
+    constructor(token, page, ask = post) {
+      this.token = token;
+      this.page = page;
+      this.ask = ask;
+      this.asked = this.answered = this.shown = 0;  // the numbers of questions
+      this.place = null;
+      this.busy = false;
+    }
+
+    // What the class's computer says with each answer: {ask: number}, {show: number} or null.
+    heard(scene) {
+      const asked = scene?.ask || 0, show = scene?.show || 0;
+      if (asked && asked > this.answered) {
+        if (asked !== this.asked) {
+          this.asked = asked;
+          this.page.ask((yes, named) => this.answer(asked, yes, named));
+        }
+      } else if (this.asked && !asked) {
+        this.asked = 0;
+        if (!this.shown) this.page.quiet();
+      }
+      if (this.shown && show !== this.shown && !this.busy && !asked) this.over();
+      // What a page agreed to before it was loaded again, or what it did not hear the answer of, is not shown.
+      if (show && show !== this.shown && !this.busy) this.send({scene: show, say: "stop"});
+    }
+
+    over() {
+      this.shown = 0;
+      this.page.quiet();
+    }
+
+    async send(body) {
+      try { return await this.ask("scene", {token: this.token, ...body}); } catch { return {status: 0, json: {}}; }
+    }
+
+    async answer(number, yes, named) {
+      this.answered = number;
+      this.asked = 0;
+      this.page.quiet();
+      this.place = this.page.place();
+      this.busy = true;
+      const {status} = await this.send({scene: number, say: yes && this.place ? "yes" : "no", named: Boolean(named), ...this.place});
+      this.busy = false;
+      if (status !== 200 || !yes || !this.place) return;
+      this.shown = number;
+      this.page.showing(() => this.stop());
+    }
+
+    // Nothing more is sent from this moment on, whether or not the class's computer hears it.
+    async stop() {
+      const number = this.shown;
+      this.over();
+      if (number) await this.send({scene: number, say: "stop"});
+    }
+
+    async step() {
+      if (!this.shown || this.busy) return;
+      const number = this.shown, at = this.page.place();
+      if (!at || at.lesson !== this.place.lesson || at.step !== this.place.step) return this.stop();
+      this.busy = true;
+      const picture = await this.page.picture();
+      // Meanwhile the student may have stopped it.
+      const reply = this.shown === number ? await this.send({scene: number, ...at, picture}) : {status: 0};
+      this.busy = false;
+      if (this.shown === number && [403, 404, 410].includes(reply.status)) this.over();
+    }
+  }
+
+  // A picture of a part of the canvas, small enough for the class's computer; "" if it does not become so small.
+  async function smallPicture(canvas, [x, y, wide, high], document) {
+    const scale = Math.min(1, kPictureWide / wide, kPictureHigh / high);
+    const small = document.createElement("canvas");
+    small.width = Math.max(1, Math.round(wide * scale));
+    small.height = Math.max(1, Math.round(high * scale));
+    small.getContext("2d").drawImage(canvas, x, y, wide, high, 0, 0, small.width, small.height);
+    for (const quality of kQualities) {
+      const text = small.toDataURL("image/jpeg", quality), at = text.indexOf(",") + 1;
+      if (text.startsWith("data:image/jpeg") && (text.length - at) * 3 / 4 <= kMostPicture) return text.slice(at);
+    }
+    return "";
+  }
+
+  // The question and the mark that the class can see the scene, over the view.
+  function sceneBox(say) {
+    let box = null;
+    const show = (look, text, ...buttons) => {
+      box?.remove();
+      box = element("div", {id: "class-scene", className: look}, element("p", {textContent: text}), ...buttons);
+      box.setAttribute("role", look ? "status" : "alertdialog");
+      box.setAttribute("aria-label", text);
+      document.body.append(box);
+    };
+    const button = (key, act) => {
+      const out = element("button", {type: "button", textContent: say(key)});
+      out.addEventListener("click", act);
+      return out;
+    };
+    return {
+      ask: (answer) => show("", say("scene asked"), element("div", {className: "answers"}, button("scene, with name", () => answer(true, true)),
+                                                            button("scene, without name", () => answer(true, false)),
+                                                            button("scene, no", () => answer(false, false)))),
+      showing: (stop) => show("showing", say("scene shown"), button("scene, stop", stop)),
+      quiet: () => { box?.remove(); box = null; },
+    };
   }
 
   // ---- joining ------------------------------------------------------------------------------------------------------------
@@ -385,9 +525,12 @@ const moltactClassroom = (() => {
       line.hidden = false;
       if (!stays) timer = setTimeout(() => { line.hidden = true; }, kShown_ms);
     };
-    const sender = new Sender(student.token, {...page, said});
+    const scene = new SceneShare(student.token, {...sceneBox(student.say), place: page.place, picture: page.picture});
+    const sender = new Sender(student.token, {...page, said, scene: (heard) => scene.heard(heard)});
+    setInterval(() => scene.step(), kPicture_ms);
     student.turn.leave = async () => {
       sender.over = true;
+      scene.stop();
       sender.page.held({});
       await page.leave();
       document.body.append(element("div", {id: "class-join"}, element("form", {}, element("h1", {textContent: student.say("other tab")}))));
@@ -401,5 +544,5 @@ const moltactClassroom = (() => {
     return sender;
   }
 
-  return {join, begin, Sender, linesFrom, behind, keyOf, markOf, turnOf, studentsIn, withStudent, sentencesOf, kSentences};
+  return {join, begin, Sender, SceneShare, smallPicture, linesFrom, behind, keyOf, markOf, turnOf, studentsIn, withStudent, sentencesOf, kSentences};
 })();

@@ -10,6 +10,14 @@ const moltactCmi5 = ({kWait_ms, stateOf, store, session, randomId, cut, iso, mar
   const kMastery = "https://w3id.org/xapi/cmi5/context/extensions/masteryscore";
   const kStateId = "moltact";
 
+  // Where the platform wants the learner back; null for anything but an address of the web.
+  function returnAddress(text) {
+    try {
+      const url = new URL(text);
+      return ["http:", "https:"].includes(url.protocol) ? url.href : null;
+    } catch { return null; }
+  }
+
   const isCompleted = (statement) => statement.verb.id === kAdl + "completed";
   const bytes = (value) => new TextEncoder().encode(JSON.stringify(value)).length;
   const kClosing_bytes = 60000;  // all requests of a closing page together have 64 KiB
@@ -60,6 +68,7 @@ const moltactCmi5 = ({kWait_ms, stateOf, store, session, randomId, cut, iso, mar
       const launch = await this.ask("GET", "activities/state", this.state("LMS.LaunchData"));
       if (!launch.ok) throw new Error("LMS.LaunchData: " + launch.status);
       this.launch = await launch.json();
+      this.return_url = returnAddress(this.launch.returnURL);
       this.mode = (this.launch.launchMode || "Normal").toLowerCase();
       this.storage = storageOf(this.storage, this.mode);
       await this.ask("GET", "agents/profile", {agent: JSON.stringify(this.actor), profileId: "cmi5LearnerPreferences"});

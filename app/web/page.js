@@ -438,6 +438,8 @@
       record: (limit, from) => program.ccall("moltact_platform_record", "string", ["number", "number"], [limit, from]),
       news: (what) => { stir(); program._moltact_platform_news(what); },
     });
+    page.leavePlatform = () => reporter.leave(window);
+    if (platform.link.return_url) program._moltact_platform_returns();
     program.ccall("moltact_platform_open", null, ["string", "string"], [file, reporter.suspended]);
     stir();
     reporter.begin(window);
@@ -463,6 +465,7 @@
     program.ccall("moltact_class_begin", null, ["string"], [student.name]);
     const {FS} = program;
     let held = {};
+    const sceneOf = () => JSON.parse(program.ccall("moltact_class_scene", "string", [], []) || "null");
     globalThis.moltactSender = moltactClassroom.begin(student, {  // named for debugging
       files: () => FS.analyzePath(kAttempts).exists ? FS.readdir(kAttempts).filter((name) => name.endsWith(".jsonl")).sort() : [],
       read(name, all) {
@@ -470,6 +473,14 @@
         return all ? bytes : bytes.subarray(0, keeper.stored(kAttempts + "/" + name));
       },
       leave: () => keeper.leaveToOther(),
+      place() {
+        const scene = sceneOf();
+        return scene && {lesson: scene.lesson, step: scene.step};
+      },
+      async picture() {
+        const at = document.hidden ? null : sceneOf()?.at;
+        return at ? moltactClassroom.smallPicture(canvas, at, document) : "";
+      },
       held(table) {
         const hold = (lesson, step) => program.ccall("moltact_class_hold", null, ["string", "number"], [lesson, step]);
         for (const lesson of Object.keys(held)) if (!Object.hasOwn(table, lesson)) hold(lesson, -1);

@@ -348,6 +348,12 @@ const moltactPlatform = (() => {
       this.lost = !sent;
     }
 
+    // The student goes back to the platform, which then has what it can have; what it does not take stays in this browser.
+    async leave(window) {
+      if (!this.busy) await this.step();
+      window.location.assign(this.link.return_url);
+    }
+
     sessionTime(record) { return this.session_s = this.past_s + Math.max(0, record.t - this.first_s); }
 
     begin(window) {

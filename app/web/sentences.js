@@ -25,6 +25,19 @@ const kPageSentences = {
     "no such code": "{0} ist keiner der Codes dieser Studie. Sieh ihn noch einmal Zeichen für Zeichen an.",
     "begin": "Beginnen",
   },
+  // A draft that no native speaker has read.
+  fr: {
+    "fetch": "Charger",
+    "do not fetch": "Ne pas charger",
+    "asked to fetch": "Cette page doit charger {0} depuis {1}. Ce serveur voit alors que tu le fais.",
+    "too old": "Ce navigateur est trop ancien pour Moltact : il en faut un de 2023 ou plus récent.",
+    "stopped": "Moltact s’est arrêté : {0}",
+    "no WebGL": "Ce navigateur n’offre pas WebGL 2, avec lequel Moltact dessine. Un autre navigateur, ou des pilotes plus récents, peut-être.",
+    "not started": "Moltact n’a pas pu démarrer : {0}",
+    "your code": "Tape le code que tu as reçu.",
+    "no such code": "{0} n’est aucun des codes de cette étude. Regarde-le encore une fois, lettre par lettre.",
+    "begin": "Commencer",
+  },
 };
 
 /// The language of the table for a browser's, such as "de-AT"; English where the table has none.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/learning-platforms.md but platform-lost.png, of which
-tests/web/platform_tests.py leaves a draft in build/web/pictures. Run in the source folder, with Chromium, the browser edition and the
+"""Draws the pictures of docs/learning-platforms.md but platform-lost.png and platform-back.png, which
+tests/web/platform_tests.py leaves in build/web/pictures. Run in the source folder, with Chromium, the browser edition and the
 program: docs/pictures/draw_platform.py"""
 import html
 import json

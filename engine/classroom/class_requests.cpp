@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/classroom/live_page.h"
+#include "engine/classroom/scene_picture.h"
 #include "engine/classroom/secrets.h"
 #include "engine/core/content_hash.h"
 #include "engine/core/text.h"
@@ -20,6 +21,8 @@ using RequestJson = nlohmann::ordered_json;
 
 constexpr RateLimit kStudentRate{40.0, 10.0};
 constexpr double kBoardFor_s = 1.0;
+// Pictures of a scene that computers other than this one get, all together.
+constexpr RateLimit kSceneLooks{20.0, 10.0};
 constexpr std::size_t kStudentToken = 26, kMaxLinesOfRequest = 5000;
 
 // The marker in app/web/page.html, behind which the page's scripts stand.
@@ -36,6 +39,11 @@ constexpr const char* kTeacherPolicy =
     "form-action 'none'; frame-ancestors 'none'";
 constexpr const char* kReportPolicy =
     "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+// The projector's page with a student's scene: its own script fetches the pictures.
+constexpr const char* kScenePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'unsafe-inline'; connect-src 'self'; img-src blob:; base-uri "
+    "'none'; form-action 'none'; frame-ancestors 'none'";
 
 ClassReply plainReply(int status, std::string text) {
   ClassReply out;
@@ -92,6 +100,8 @@ ShownPlot shownPlot(const RequestJson& body, const std::string& lesson) {
   return {lesson, numberOf(body, "step").value_or(kNone), numberOf(body, curve ? "task" : "question").value_or(kNone),
           curve};
 }
+
+bool isThisComputer(const std::string& remote) { return remote.starts_with("127.") || remote == "::1"; }
 
 RequestJson objectOf(const std::string& body) {
   RequestJson json = RequestJson::parse(body, nullptr, false);
@@ -150,7 +160,7 @@ ClassReply ClassRequests::answer(const ClassRequest& request) {
   constexpr std::string_view kTeacher = "teacher/";
   const bool teacher = path.starts_with(kTeacher);
   // The teacher's address is of this computer only, so that its token in a photograph opens nothing.
-  if (teacher && !request.remote.starts_with("127.") && request.remote != "::1") return nothingHere();
+  if (teacher && !isThisComputer(request.remote)) return nothingHere();
   if (teacher) path.remove_prefix(kTeacher.size());
   const std::size_t slash = path.find('/');
   const std::string_view secret = path.substr(0, slash);
@@ -175,6 +185,7 @@ ClassReply ClassRequests::studentAnswer(std::string_view path, const ClassReques
   if (request.method == "POST") {
     if (path == "join") return join(request);
     if (path == "lines") return takeLines(request);
+    if (path == "scene") return takeScene(request);
     return nothingHere();
   }
   if (path.empty()) {
@@ -186,14 +197,13 @@ ClassReply ClassRequests::studentAnswer(std::string_view path, const ClassReques
       out.whole = page_;
     return out;
   }
-  if (path == "board") {
-    // Everyone who has the code may ask for it at any rate, so that it is made once in a second.
-    const std::lock_guard held(lock_);
-    if (board_.empty() || request.now_s - board_at_s_ >= kBoardFor_s) {
-      board_ = boardPage({site_.address, site_.shared}, studentsHere(room_, request.now_s), board_plot_);
-      board_at_s_ = request.now_s;
-    }
-    return htmlReply(board_, kReportPolicy);
+  if (path == "board") return board(request);
+  if (path == "scene") return giveScene(request);
+  if (path == "board.js") {
+    ClassReply out;
+    out.type = "text/javascript; charset=utf-8";
+    out.body = boardScript();
+    return out;
   }
   for (std::size_t k = 0; k < site_.lessons.size(); ++k)
     if (path == "lesson/" + std::to_string(k)) {
@@ -203,6 +213,78 @@ ClassReply ClassRequests::studentAnswer(std::string_view path, const ClassReques
       return out;
     }
   return nothingHere();
+}
+
+ClassReply ClassRequests::board(const ClassRequest& request) {
+  // Everyone who has the code may ask for it at any rate, so that it is made once in a second.
+  const std::lock_guard held(lock_);
+  scene_.follow(room_, request.now_s);
+  const bool scene = scene_.state() == SharedScene::State::Agreed;
+  if (board_.empty() || board_scene_ != scene || request.now_s - board_at_s_ >= kBoardFor_s) {
+    const TeacherPageFacts facts{site_.address, site_.shared};
+    const std::size_t here = studentsHere(room_, request.now_s);
+    const std::string name = scene && scene_.named() ? room_.students()[scene_.student()].name : std::string();
+    board_ = scene ? boardScenePage(facts, here, name) : boardPage(facts, here, board_plot_);
+    board_scene_ = scene;
+    board_at_s_ = request.now_s;
+  }
+  return htmlReply(board_, scene ? kScenePolicy : kReportPolicy);
+}
+
+// The present picture; 404 if nobody shows a scene, 409 with a sentence if it is not shown now.
+ClassReply ClassRequests::giveScene(const ClassRequest& request) {
+  const std::lock_guard held(lock_);
+  scene_.follow(room_, request.now_s);
+  if (scene_.state() != SharedScene::State::Agreed) return nothingHere();
+  if (!isThisComputer(request.remote) && !scene_looks_.take(kSceneLooks, request.now_s)) return tooOften();
+  std::size_t waiting = 0;
+  const SceneHidden hidden = scene_.hidden(room_, request.now_s, waiting);
+  if (hidden != SceneHidden::No) return plainReply(409, sceneHiddenText(hidden));
+  ClassReply out;
+  const std::string tag = '"' + std::to_string(scene_.number()) + '-' + std::to_string(scene_.pictures()) + '"';
+  out.headers.emplace_back("ETag", tag);
+  out.type = "image/jpeg";
+  if (request.if_none_match == tag)
+    out.status = 304;
+  else
+    out.body = scene_.picture();
+  return out;
+}
+
+// A student's answer to the question whether the class may see the scene, the end of showing it, and pictures of it.
+ClassReply ClassRequests::takeScene(const ClassRequest& request) {
+  if (request.body.size() > kMaxSceneBody) return plainReply(413, tr("That is too much at once."));
+  const RequestJson body = objectOf(request.body);
+  const auto token = textOf(body, "token"), say = textOf(body, "say"), lesson = textOf(body, "lesson"),
+             picture = textOf(body, "picture");
+  const auto number = numberOf(body, "scene"), step = numberOf(body, "step");
+  std::optional<std::string> bytes;
+  if (picture) bytes = fromBase64(*picture);
+  if (!token || !number || (!say && !picture)) return plainReply(400, tr("The request cannot be read."));
+  if (picture && (!bytes || (!bytes->empty() && !isSmallJpeg(*bytes))))
+    return plainReply(400, tr("The request cannot be read."));
+  const ScenePlace place{lesson.value_or(""), step.value_or(~std::size_t{0})};
+  const std::lock_guard held(lock_);
+  const auto student = room_.studentOf(*token);
+  if (!student) {
+    if (!guesses_.take(request.remote, request.now_s)) return tooOften();
+    return jsonReply(403, {{"unknown", true}});
+  }
+  if (!student_rates_[*student].take(kStudentRate, request.now_s)) return tooOften();
+  room_.seen(*student, request.now_s);
+  scene_.follow(room_, request.now_s);
+  bool open = true;
+  if (picture) {
+    const SharedScene::Taken taken = scene_.take(*student, *number, place, *std::move(bytes), request.now_s);
+    if (taken == SharedScene::Taken::TooOften) return tooOften();
+    open = taken == SharedScene::Taken::Yes;
+  } else if (*say == "yes" || *say == "no") {
+    const auto named = body.find("named");
+    open = scene_.answer(*student, *number, *say == "yes", named != body.end() && *named == true, place);
+  } else {
+    open = *say == "stop" && scene_.withdraw(*student, *number);
+  }
+  return open ? jsonReply(200, {{"scene", *number}}) : jsonReply(410, {{"over", true}});
 }
 
 ClassReply ClassRequests::join(const ClassRequest& request) {
@@ -251,6 +333,9 @@ ClassReply ClassRequests::takeLines(const ClassRequest& request) {
     room_.seen(*student, request.now_s);
     reply["ended"] = room_.ended();
     for (const auto& [lesson, step] : room_.held()) reply["held"][lesson] = step;
+    scene_.follow(room_, request.now_s);
+    if (scene_.state() != SharedScene::State::None && scene_.student() == *student)
+      reply["scene"] = {{scene_.state() == SharedScene::State::Asked ? "ask" : "show", scene_.number()}};
     if (const auto attempt = textOf(body, "attempt")) {
       ClassRoom::Taken taken = room_.take(*student, *attempt, numberOf(body, "from").value_or(0), lines, request.now_s);
       reply["have"] = taken.have;
@@ -275,7 +360,7 @@ ClassReply ClassRequests::teacherAnswer(std::string_view path, const ClassReques
   ClassReply out;
   if (path.empty()) {
     const std::lock_guard held(lock_);
-    return htmlReply(teacherPage(viewOf(room_, request.now_s), {site_.address, site_.shared}), kTeacherPolicy);
+    return htmlReply(teacherPage(view(request.now_s), {site_.address, site_.shared}), kTeacherPolicy);
   }
   if (path == "class.css") {
     out.type = "text/css; charset=utf-8";
@@ -309,6 +394,12 @@ std::string ClassRequests::hide() {
   return room_.hide();
 }
 
+// Nothing of it is on the disk: after a restart no scene is shown.
+bool ClassRequests::steerScene(const std::string& act, std::size_t student, double now_s) {
+  scene_.follow(room_, now_s);
+  return act == "ask scene" ? scene_.ask(room_, student, now_s) : scene_.takeOff();
+}
+
 ClassReply ClassRequests::steer(const ClassRequest& request) {
   const RequestJson body = objectOf(request.body);
   const std::string act = textOf(body, "do").value_or(""), lesson = textOf(body, "lesson").value_or("");
@@ -316,6 +407,12 @@ ClassReply ClassRequests::steer(const ClassRequest& request) {
   {
     const std::lock_guard held(lock_);
     std::string record;
+    if (act == "ask scene" || act == "end scene") {
+      board_.clear();
+      return steerScene(act, numberOf(body, "student").value_or(kMaxStudents), request.now_s)
+                 ? jsonReply(200, {{"done", act}})
+                 : plainReply(400, tr("The request cannot be read."));
+    }
     if (act == "hold")
       record = room_.hold(lesson, numberOf(body, "step").value_or(~std::size_t{0}));
     else if (act == "open")
@@ -350,10 +447,18 @@ Expected<std::string> ClassRequests::writeReport() {
   return page;
 }
 
+// Under the lock.
+ClassView ClassRequests::view(double now_s) const {
+  ClassView out = viewOf(room_, now_s);
+  scene_.follow(room_, now_s);
+  addScene(out, room_, scene_, now_s);
+  return out;
+}
+
 std::string ClassRequests::liveParts(double now_s) const {
   RequestJson out;
   const std::lock_guard held(lock_);
-  for (auto& [id, html] : teacherParts(viewOf(room_, now_s))) out[id] = std::move(html);
+  for (auto& [id, html] : teacherParts(view(now_s))) out[id] = std::move(html);
   return out.dump(-1, ' ', false, RequestJson::error_handler_t::replace);
 }
 

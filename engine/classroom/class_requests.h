@@ -21,6 +21,7 @@
 #include "engine/classroom/class_store.h"
 #include "engine/classroom/class_view.h"
 #include "engine/classroom/rate_limit.h"
+#include "engine/classroom/shared_scene.h"
 
 namespace moltact {
 
@@ -61,6 +62,8 @@ struct ClassSite {
 /// Longer bodies are refused (unit: byte).
 inline constexpr std::size_t kMaxClassBody = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxClassPath = 200;
+/// Longer bodies that answer for a scene, or bring a picture of it, are refused (unit: byte).
+inline constexpr std::size_t kMaxSceneBody = std::size_t{72} << 10;
 
 class ClassRequests {
  public:
@@ -88,6 +91,11 @@ class ClassRequests {
   ClassReply join(const ClassRequest& request);
   ClassReply takeLines(const ClassRequest& request);
   ClassReply steer(const ClassRequest& request);
+  ClassReply takeScene(const ClassRequest& request);
+  ClassReply giveScene(const ClassRequest& request);
+  ClassReply board(const ClassRequest& request);
+  ClassView view(double now_s) const;
+  bool steerScene(const std::string& act, std::size_t student, double now_s);
   std::string show(const ShownPlot& plot);
   std::string hide();
 
@@ -97,6 +105,8 @@ class ClassRequests {
   ClassRoom room_;
   std::vector<RateBucket> student_rates_;
   RateByAddress joins_{{double(kMaxStudents), 1.0}}, guesses_{{20.0, 0.2}};
+  mutable SharedScene scene_;  // a view of the class ends what is over
+  RateBucket scene_looks_;     // of other computers than this one
   std::shared_ptr<const std::string> page_;
   std::string page_tag_;
   // As it was when the teacher showed it, or when the server began: otherwise the room would see the prediction of each
@@ -104,6 +114,7 @@ class ClassRequests {
   BoardPlot board_plot_;
   std::string board_;  // the projector's page, made at board_at_s_
   double board_at_s_ = 0.0;
+  bool board_scene_ = false;  // it is that of a student's scene
 };
 
 }  // namespace moltact

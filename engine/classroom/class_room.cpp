@@ -132,7 +132,8 @@ struct LiveFacts {
     std::size_t step = 0;
     if (!at(e.step, &step) || attempt.answers.size() >= kMaxKeptAnswers) return;
     const auto question = questionNumber(attempt.lesson.steps[step], e.question);
-    if (question) attempt.answers[{step, *question}] = {chosenOnce(e.chosen), e.written.substr(0, 400), e.right};
+    if (question)
+      attempt.answers[{step, *question}] = {chosenOnce(e.chosen), e.written.substr(0, 400), e.right, e.attempt};
   }
   void operator()(const CurveKept& e) const {
     std::size_t step = 0;

@@ -27,10 +27,17 @@ inline constexpr double kMaxAttemptTime_s = 1e9;
 inline constexpr std::size_t kMaxKeptChoices = 64, kMaxKeptCurvePoints = 200;  ///< of an answer, of a curve
 inline constexpr std::size_t kMaxKeptAnswers = 500, kMaxKeptCurves = 40;  ///< of an attempt, for the teacher's page
 
+/// What the outline of a step does not tell.
+struct ClassStep {
+  std::vector<char> unseen_tasks;  ///< by task: done in the dark, without names, or in a scene that hides atoms
+  std::vector<int> tries;          ///< by question: wrong answers after which the right one is shown; 0: never
+};
+
 /// A lesson that the teacher has chosen.
 struct ClassLesson {
   std::string id;  ///< the file's name without ending and language: "first-touch"
   LessonOutline outline;
+  std::vector<ClassStep> steps = {};  ///< by step
 };
 
 /// The latest answer of a student to a question.
@@ -38,6 +45,7 @@ struct LiveAnswer {
   std::vector<std::size_t> chosen;
   std::string written;
   bool right = false;
+  int attempt = 1;  ///< 1 for the first answer to the question
 };
 
 /// An attempt as far as its lines have come. Steps, questions and tasks are numbers from 0, which are the same in every

@@ -186,6 +186,7 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
   out.shown = room.shown();
   for (const LiveStudent& student : room.students()) {
     out.students.push_back(rowOf(student, now_s));
+    out.students.back().student = out.students.size() - 1;
     ++(out.students.back().away ? out.away : out.here);
     out.finished += out.students.back().finished;
   }
@@ -229,6 +230,17 @@ ClassView viewOf(const ClassRoom& room, double now_s) {
     return a.stuck != b.stuck ? a.stuck : lower(a.name) < lower(b.name);
   });
   return out;
+}
+
+void addScene(ClassView& view, const ClassRoom& room, const SharedScene& scene, double now_s) {
+  for (StudentRow& row : view.students) row.may_ask_scene = scene.mayAsk(room, row.student, now_s);
+  if (scene.state() == SharedScene::State::None) return;
+  SceneRow& row = view.scene.emplace();
+  row.student = room.students()[scene.student()].name;
+  row.agreed = scene.state() == SharedScene::State::Agreed;
+  row.named = scene.named();
+  row.hidden =
+      row.agreed ? scene.hidden(room, now_s, row.waiting) : sceneAnswers(room, scene.place(), now_s, row.waiting);
 }
 
 std::size_t studentsHere(const ClassRoom& room, double now_s) {

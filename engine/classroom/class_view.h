@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/classroom/class_room.h"
+#include "engine/classroom/shared_scene.h"
 
 namespace moltact {
 
@@ -20,6 +21,7 @@ inline constexpr std::size_t kShownFrom = 3;
 inline constexpr std::size_t kMaxShownTitle = 200;  ///< characters of a title that a student's page sent
 
 struct StudentRow {
+  std::size_t student = 0;  ///< in ClassRoom::students()
   std::string name;
   std::string lesson;               ///< title; empty before an attempt
   std::string step;                 ///< title
@@ -29,6 +31,7 @@ struct StudentRow {
   double on_step_s = 0.0;
   bool begun = false;  ///< has an attempt
   bool stuck = false, away = false, finished = false;
+  bool may_ask_scene = false;  ///< the student can be asked to show the scene (addScene)
 };
 
 struct StepRow {
@@ -72,16 +75,27 @@ struct LessonView {
   std::vector<CurvePlot> curves;
 };
 
+/// The scene that a student was asked for, or shows.
+struct SceneRow {
+  std::string student;
+  bool agreed = false, named = false;
+  SceneHidden hidden = SceneHidden::No;
+  std::size_t waiting = 0;  ///< students for whom it would answer something
+};
+
 struct ClassView {
   std::vector<StudentRow> students;              ///< those who are stuck first, then by name
   std::vector<LessonView> lessons;               ///< the teacher's; those with students first
   std::vector<MisconceptionRow> misconceptions;  ///< the most frequent first
   std::optional<ShownPlot> shown;                ///< to the class
+  std::optional<SceneRow> scene;                 ///< asked for, or on the projector (addScene)
   std::size_t here = 0, away = 0, stuck = 0, finished = 0;
   bool ended = false;
 };
 
 ClassView viewOf(const ClassRoom& room, double now_s);
+/// Adds what a view shows of the students' scenes; after SharedScene::follow().
+void addScene(ClassView& view, const ClassRoom& room, const SharedScene& scene, double now_s);
 
 std::size_t studentsHere(const ClassRoom& room, double now_s);
 

@@ -33,11 +33,28 @@ struct ChosenLessons {
   std::vector<ServedLesson> served;
 };
 
+// Kinds of tasks that ask what is felt, mostly in the dark (TaskStage::unnamed).
+bool isUnseenKind(std::string_view kind) {
+  return kind == "find" || kind == "order" || kind == "rank" || kind == "same";
+}
+
+std::vector<ClassStep> classSteps(const Lesson& lesson) {
+  std::vector<ClassStep> out;
+  for (const Step& step : lesson.steps) {
+    ClassStep& made = out.emplace_back();
+    for (const TaskSpec& task : step.tasks)
+      made.unseen_tasks.push_back(char(isUnseenKind(task.kind) || step.scene.hide.given()));
+    for (const Question& asked : step.questions) made.tries.push_back(asked.attempts);
+  }
+  return out;
+}
+
 std::optional<Problem> addOutline(const fs::path& file, std::vector<ClassLesson>& into) {
   LessonReading reading = readLesson(file);
   if (!reading.lesson) return reading.errors.front();
   const Expected<std::string> bytes = readLessonFile(file);
-  into.push_back({lessonName(file).id, outlineOf(*reading.lesson, bytes ? contentHash(*bytes) : std::string())});
+  into.push_back({lessonName(file).id, outlineOf(*reading.lesson, bytes ? contentHash(*bytes) : std::string()),
+                  classSteps(*reading.lesson)});
   return std::nullopt;
 }
 

@@ -45,13 +45,15 @@ std::string stateOf(const StudentRow& row) {
 std::string studentsPart(const ClassView& view) {
   if (view.students.empty())
     return std::string("<p class=\"quiet\">") + tr("Nobody has joined yet. Students open the address above.") + "</p>";
+  const bool asks =
+      std::any_of(view.students.begin(), view.students.end(), [](const StudentRow& row) { return row.may_ask_scene; });
   const bool several = std::any_of(view.students.begin(), view.students.end(), [&](const StudentRow& row) {
     return !row.lesson.empty() && row.lesson != view.students.front().lesson && !view.students.front().lesson.empty();
   });
   std::string out = std::string("<table><thead><tr><th>") + tr("Student") + "</th>" +
                     (several ? std::string("<th>") + tr("Lesson") + "</th>" : "") + "<th>" + tr("Step") + "</th><th>" +
                     tr("Task") + "</th><th class=\"n\">" + tr("On this step") + "</th><th class=\"n\">" + tr("Hints") +
-                    "</th><th>" + tr("Done") + "</th><th></th></tr></thead><tbody>";
+                    "</th><th>" + tr("Done") + "</th><th></th>" + (asks ? "<th></th>" : "") + "</tr></thead><tbody>";
   for (const StudentRow& row : view.students) {
     out += row.stuck ? "<tr class=\"stuck\">" : row.away ? "<tr class=\"away\">" : "<tr>";
     out += "<td class=\"name\">" + escaped(row.name) + "</td>";
@@ -64,9 +66,40 @@ std::string studentsPart(const ClassView& view) {
     out += "<td class=\"n\">" + (row.step_number ? minutes(row.on_step_s) : "") + "</td><td class=\"n\">" +
            (row.hints ? std::to_string(row.hints) : "") + "</td>";
     out += "<td><progress max=\"" + std::to_string(std::max<std::size_t>(1, row.of)) + "\" value=\"" +
-           std::to_string(row.done) + "\"></progress></td><td>" + stateOf(row) + "</td></tr>";
+           std::to_string(row.done) + "\"></progress></td><td>" + stateOf(row) + "</td>";
+    if (row.may_ask_scene)
+      out += "<td class=\"n\"><button class=\"small\" data-do=\"ask scene\" id=\"ask-scene-" +
+             std::to_string(row.student) + "\" data-student=\"" + std::to_string(row.student) + "\">" +
+             tr("Ask for the scene") + "</button></td>";
+    else if (asks)
+      out += "<td></td>";
+    out += "</tr>";
   }
   return out + "</tbody></table>";
+}
+
+// The scene that a student was asked for, or shows.
+std::string scenePart(const ClassView& view) {
+  if (!view.scene) return {};
+  const SceneRow& row = *view.scene;
+  const std::string name = escaped(row.student);
+  std::string words;
+  if (!row.agreed)
+    words = trf("{0} is asked to show the scene on the projector.", name);
+  else
+    words = row.named ? trf("The projector's page shows the scene of {0}, with the name.", name)
+                      : trf("The projector's page shows the scene of {0}, without the name.", name);
+  std::string out = "<p class=\"held\">" + words + " <button data-do=\"end scene\" id=\"end-scene\">" +
+                    (row.agreed ? tr("Take it off") : tr("Do not ask")) + "</button></p>";
+  std::string why;
+  if (row.hidden == SceneHidden::Dark)
+    why = trnf("It stays hidden: {0} student works on a task that is done without seeing.",
+               "It stays hidden: {0} students work on a task that is done without seeing.", row.waiting, row.waiting);
+  if (row.hidden == SceneHidden::Question)
+    why = trnf("It stays hidden: a question of this step is open for {0} student.",
+               "It stays hidden: a question of this step is open for {0} students.", row.waiting, row.waiting);
+  if (row.hidden == SceneHidden::NoPicture) why = tr("It is hidden: the student's page sends no picture now.");
+  return why.empty() ? out : out + "<p class=\"quiet\">" + why + "</p>";
 }
 
 std::string stepsPart(const ClassView& view) {
@@ -224,9 +257,94 @@ std::string answersPart(const ClassView& view) {
 
 std::vector<std::pair<std::string, std::string>> teacherParts(const ClassView& view) {
   return {{"tiles", tilesPart(view)},
+          {"scene-row", scenePart(view)},
           {"students", studentsPart(view)},
           {"steps", stepsPart(view)},
           {"answers", answersPart(view)}};
+}
+
+namespace {
+
+std::string boardPageOf(const TeacherPageFacts& facts, std::size_t here, const std::string& content,
+                        const std::string& head) {
+  std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
+                    "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
+                    "initial-scale=1\">" +
+                    head + "<title>" + tr("Live class") + "</title><style>" + teacherStyle() +
+                    "</style></head><body class=\"board" + (content.empty() ? "" : " plot") + "\"><main>" + content +
+                    "<section><div><p>" + tr("Open this address") + "</p><p class=\"big\">" + escaped(facts.address) +
+                    "</p><p>" + std::to_string(here) + " " + trn("student here", "students here", here) + "</p></div>";
+  if (facts.shared)
+    out += qrSvg(qrCode(facts.address), facts.address);
+  else
+    out += std::string("<p class=\"quiet\">") +
+           tr("It works on this computer only. Start the class with --share to let the room in.") + "</p>";
+  return out + "</section></main></body></html>\n";
+}
+
+}  // namespace
+
+std::string sceneHiddenText(SceneHidden why) {
+  switch (why) {
+    case SceneHidden::No:
+      return {};
+    case SceneHidden::Dark:
+      return tr("The scene is hidden while somebody works on a task that is done without seeing.");
+    case SceneHidden::Question:
+      return tr("The scene is hidden until everyone at this step has answered its questions.");
+    case SceneHidden::NoPicture:
+      return tr("The student's page sends no picture now.");
+  }
+  return {};
+}
+
+std::string boardScenePage(const TeacherPageFacts& facts, std::size_t here, const std::string& name) {
+  const std::string title =
+      name.empty() ? std::string(tr("The scene of a student")) : trf("The scene of {0}", escaped(name));
+  return boardPageOf(facts, here,
+                     "<h1>" + title + "</h1><img id=\"scene\" alt=\"" + title +
+                         "\" hidden><p id=\"why\" class=\"quiet\" role=\"status\" data-lost=\"" +
+                         escaped(tr("The class's server does not answer. This page tries again.")) + "\"></p>",
+                     "<script src=\"board.js\" defer></script>");
+}
+
+std::string boardScript() {
+  return R"js("use strict";
+(() => {
+  const kEvery_ms = 400, kLost_ms = 5000;
+  const scene = document.getElementById("scene"), why = document.getElementById("why");
+  let tag = "", heard_ms = performance.now();
+  const hide = (text) => {
+    if (scene.src) URL.revokeObjectURL(scene.src);
+    scene.removeAttribute("src");
+    scene.hidden = true;
+    why.textContent = text;
+    tag = "";
+  };
+  const look = async () => {
+    try {
+      const reply = await fetch("scene", {cache: "no-store", credentials: "omit", headers: tag ? {"If-None-Match": tag} : {},
+                                          signal: AbortSignal.timeout(kLost_ms)});
+      if (reply.status === 404) return location.reload();
+      heard_ms = performance.now();
+      if (reply.status === 200) {
+        const old = scene.src;
+        scene.src = URL.createObjectURL(await reply.blob());
+        if (old) URL.revokeObjectURL(old);
+        tag = reply.headers.get("ETag") || "";
+        scene.hidden = false;
+        why.textContent = "";
+      } else if (reply.status === 409) {
+        hide(await reply.text());
+      }
+    } catch {
+      if (performance.now() - heard_ms > kLost_ms) hide(why.dataset.lost);
+    }
+    setTimeout(look, kEvery_ms);
+  };
+  look();
+})();
+)js";
 }
 
 std::string boardPage(const TeacherPageFacts& facts, std::size_t here, const BoardPlot& board) {
@@ -241,19 +359,7 @@ std::string boardPage(const TeacherPageFacts& facts, std::size_t here, const Boa
            trnf("The force that {0} student expects", "The force that {0} students expect", board.curve->curves.size(),
                 board.curve->curves.size()) +
            "</p>" + curvesSvg(*board.curve);
-  std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
-                    "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
-                    "initial-scale=1\"><meta http-equiv=\"refresh\" content=\"5\"><title>" +
-                    tr("Live class") + "</title><style>" + teacherStyle() + "</style></head><body class=\"board" +
-                    (plot.empty() ? "" : " plot") + "\"><main>" + plot + "<section><div><p>" + tr("Open this address") +
-                    "</p><p class=\"big\">" + escaped(facts.address) + "</p><p>" + std::to_string(here) + " " +
-                    trn("student here", "students here", here) + "</p></div>";
-  if (facts.shared)
-    out += qrSvg(qrCode(facts.address), facts.address);
-  else
-    out += std::string("<p class=\"quiet\">") +
-           tr("It works on this computer only. Start the class with --share to let the room in.") + "</p>";
-  return out + "</section></main></body></html>\n";
+  return boardPageOf(facts, here, plot, "<meta http-equiv=\"refresh\" content=\"5\">");
 }
 
 std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
@@ -281,8 +387,8 @@ std::string teacherPage(const ClassView& view, const TeacherPageFacts& facts) {
   out += std::string("<p class=\"quiet\">") +
          tr("Do not show this page to the class: it has names and answers. The projector has a page of its own.") +
          "</p></div></section>";
-  out += part(0) + "<h2>" + tr("Who is where") + "</h2><div class=\"card scroll\">" + part(1) + "</div><h2>" +
-         tr("Steps") + "</h2>" + part(2) + "<h2>" + tr("Answers") + "</h2>" + part(3);
+  out += part(0) + part(1) + "<h2>" + tr("Who is where") + "</h2><div class=\"card scroll\">" + part(2) + "</div><h2>" +
+         tr("Steps") + "</h2>" + part(3) + "<h2>" + tr("Answers") + "</h2>" + part(4);
   return out + "</main></body></html>\n";
 }
 
@@ -317,6 +423,7 @@ meter::-moz-meter-bar,progress::-moz-progress-bar{background:var(--accent);borde
 .bars small{display:block}.bars meter{width:100%;height:16px}.bars meter::-webkit-meter-bar{grid-row:1/-1;height:100%}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
 .board main{text-align:center;font-size:24px}.board .big{font-size:clamp(28px,5vw,72px)}.board .qr{width:min(56vh,80vw);margin:16px auto}
 .plot main{text-align:left;max-width:1400px}.plot h1{font-size:clamp(26px,3vw,44px)}.plot .bars li{padding:10px 0;font-size:clamp(20px,2.2vw,32px)}.plot .bars meter{height:30px;border-radius:8px}.plot .curves{max-width:min(100%,110vh)}
+#scene{display:block;width:100%;max-height:72vh;object-fit:contain;border-radius:10px;background:var(--panel)}#scene[hidden]{display:none}
 .plot section{display:flex;justify-content:space-between;align-items:center;gap:24px;margin-top:28px;padding-top:12px;border-top:1px solid var(--line);font-size:18px}.plot .big{font-size:clamp(20px,2.4vw,32px)}.plot .qr{width:min(22vh,30vw);margin:0}
 svg{max-width:100%;display:block}.curves{max-width:620px}.grid{stroke:var(--line);fill:none}.axis{font-size:11px;fill:var(--quiet)}.drawn{fill:none;stroke:var(--accent);stroke-width:2;stroke-opacity:.45;stroke-linejoin:round}
 #lost{color:var(--warn);font-weight:600}
@@ -356,7 +463,7 @@ std::string teacherScript() {
     const {do: act, lesson, ...numbers} = button.dataset;
     const body = {do: act};
     if (lesson !== undefined) body.lesson = lesson;
-    for (const key of ["step", "question", "task"])
+    for (const key of ["step", "question", "task", "student"])
       if (numbers[key] !== undefined) body[key] = Number(numbers[key]);
     try {
       const reply = await fetch("steer", {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});

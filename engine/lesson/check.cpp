@@ -9,6 +9,7 @@ LessonCheck checkLesson(const std::string& name, std::string bytes, const Molecu
   checks::Findings found{name, std::move(read.errors), std::move(read.warnings)};
   if (const Lesson* lesson = read.lesson ? &*read.lesson : read.partial ? &*read.partial : nullptr) {
     checks::molecules(*lesson, molecule, found);
+    checks::guides(*lesson, molecule, found);
     checks::moleculeList(*lesson, found);
     checks::steps(*lesson, found);
     checks::ways(*lesson, found);

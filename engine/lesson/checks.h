@@ -25,6 +25,9 @@ struct Findings {
 /// Missing molecules, and selections and names that match no atom.
 void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings);
 
+/// Guides without a way: a recorded hand that cannot be read, a task's way that the probe cannot go, atoms that move.
+void guides(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings);
+
 /// Molecules in the front matter that no scene uses or that are listed twice.
 void moleculeList(const Lesson& lesson, Findings& findings);
 

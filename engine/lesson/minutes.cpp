@@ -6,6 +6,7 @@
 
 #include "engine/core/utf8.h"
 #include "engine/lesson/letters.h"
+#include "engine/lesson/tasks/guided.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -89,7 +90,8 @@ double taskTime_s(const TaskSpec& task) {
   const double count = countOf(task, kind->time.each);
   // Each pair has two things to touch.
   const double stays = kind->name == "same" ? 2.0 * count : std::max(1.0, count);
-  return kind->time.base_s + kind->time.each_s * count + stays * task.values["for"].number;
+  const double once_s = kind->time.base_s + kind->time.each_s * count + stays * task.values["for"].number;
+  return once_s * (1.0 + kGuidedTry * guidedTries(task));
 }
 
 double minutesOf(const Step& step) { return stepTime_s(step) / 60.0; }

@@ -9,6 +9,7 @@ namespace moltact {
 inline constexpr double kWordsAMinute = 130.0;
 inline constexpr double kQuestion_s = 35.0;     ///< to think and to choose, in addition to reading
 inline constexpr double kFreeAnswer_s = 150.0;  ///< to write two or three sentences
+inline constexpr double kGuidedTry = 0.25;      ///< a try with a guide takes this share of the time of its task
 inline constexpr double kMaxCoreMinutes = 20.0;
 /// The relative difference that is accepted between an author's minutes and the estimate.
 inline constexpr double kMinutesOff = 0.2;

@@ -105,6 +105,7 @@ void LessonSession::makeTasks() {
   for (const TaskSpec& spec : step().tasks) {
     tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
     if (tasks_.back() && !untouchable.empty()) tasks_.back()->leaveOut(untouchable);
+    if (tasks_.back()) tasks_.back()->takeLesson(lesson_->file, *molecule_);
     if (tasks_.back() && body) tasks_.back()->takeInHand(body);
     if (tasks_.back() && forces) tasks_.back()->takeForces(forces);
   }
@@ -198,6 +199,11 @@ const Task* LessonSession::taskAt(std::size_t index) const {
 TaskStage LessonSession::taskStage() const {
   const Task* now = taskAt(currentTask());
   return now ? now->stage() : TaskStage();
+}
+
+std::optional<TaskGuide> LessonSession::taskGuide() const {
+  const Task* now = taskAt(currentTask());
+  return now ? now->guide() : std::nullopt;
 }
 
 void LessonSession::answerTask(const TaskAnswer& answer) {

@@ -137,6 +137,8 @@ class LessonSession {
   std::size_t currentTask() const;
   /// The changes of the scene that the current task requests; none without a task.
   TaskStage taskStage() const;
+  /// The guide of the current task's present try; none without a task.
+  std::optional<TaskGuide> taskGuide() const;
   /// Gives an answer to the current task.
   void answerTask(const TaskAnswer& answer);
   /// The quantities that a task of the current step has measured so far, or until it was done; empty without a

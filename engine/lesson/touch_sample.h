@@ -11,13 +11,16 @@
 namespace moltact {
 
 struct TouchSample {
-  double time_s = 0.0;   ///< since the servo loop started; never goes back
-  PointA hip;            ///< position of the hand in the molecule (unit: angstrom)
-  Contact contact;       ///< as the interaction returned it for this HIP
-  ForceN force;          ///< on the hand, in the device's space (unit: newton)
-  bool field = false;    ///< a field exerts a noticeable force, with or without a contact
-  Vec3 wanted_N{0.0};    ///< force of contact and field before limits, in the molecule's space; zero without a field
-  double probe_A = 1.4;  ///< the probe's radius at that tick (unit: angstrom)
+  double time_s = 0.0;  ///< since the servo loop started; never goes back
+  PointA hip;           ///< position of the hand in the molecule (unit: angstrom)
+  Contact contact;      ///< as the interaction returned it for this HIP
+  ForceN force;         ///< on the hand, in the device's space (unit: newton)
+  bool field = false;   ///< a field exerts a noticeable force, with or without a contact
+  Vec3 wanted_N{0.0};   ///< force of contact and field before limits, in the molecule's space; zero without a field
+  /// Size of the field's share of the force, as far as the safety stage admits it (unit: newton). Empty without a field.
+  /// The fields of scenes are guides.
+  std::optional<double> field_N = {};
+  double probe_A = 1.4;            ///< the probe's radius at that tick (unit: angstrom)
   std::string_view method = {};    ///< name of the haptic method in use; static, from the table of methods
   Contact exact;                   ///< that of the exact tracker for the same HIP; empty where nothing is compared
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
@@ -40,7 +43,7 @@ struct TouchSample {
   }
 };
 
-/// Converts a ServoSample. A template, because this room may not include engine/servo.
+/// Converts a ServoSample. A template, so that tasks do not depend on the servo loop.
 template <class ServoTick>
 TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, const Contact& exact = {}) {
   return {.time_s = tick.time_s,
@@ -49,6 +52,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .force = tick.force,
           .field = tick.inField() && tick.felt(),
           .wanted_N = tick.inField() ? tick.wanted().force_N : Vec3(0.0),
+          .field_N = tick.field ? std::optional(tick.field_share * glm::length(tick.field->force_N)) : std::nullopt,
           .probe_A = tick.probe_A,
           .method = method,
           .exact = exact,

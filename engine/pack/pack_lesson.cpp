@@ -14,6 +14,7 @@
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/second_state.h"
+#include "engine/lesson/tasks/guided.h"
 #include "engine/pack/pack_file.h"
 #include "engine/pack/pack_name.h"
 #include "engine/pack/write_pack.h"
@@ -117,6 +118,9 @@ class Gathering {
     for (const Step& step : check.lesson->steps) {
       simulation(file, folder, step.scene);
       trajectory(file, folder, step.scene);
+      for (const TaskSpec& task : step.tasks)
+        if (const std::string hand = guideFile(task); !hand.empty())
+          take(folder / hand, {file.string(), task.values["guide-path"].place});
     }
   }
 

@@ -316,6 +316,22 @@ class Maker {
       });
   }
 
+  // The probe where a guide leads it, and a dashed line to there. Both show through the molecule.
+  void ledProbe() {
+    if (!scene_.ghost || scene_.body) return;
+    const Vec3 at = scene_.ghost->A;
+    const double r = std::max(scene_.probe_A, sized(0.1, 3.0));
+    shell(at, r, scene_.theme.target, 0.35f);
+    addCircle(out_.strokes, {.colour = scene_.theme.target, .alpha = 1.0f, .hidden = 0.8f, .width_px = 2.6f},
+              scene_.camera, silhouetteCentre(at, r), toEye(at), silhouetteRadius(at, r));
+    constexpr int kDashes = 6;
+    for (int k = 0; k < kDashes; ++k) {
+      out_.strokes.begin({.colour = scene_.theme.target, .alpha = 0.9f, .hidden = 0.7f, .width_px = 2.0f});
+      for (const double part : {(k + 0.25) / kDashes, (k + 0.75) / kDashes})
+        out_.strokes.point(view(scp_ + (at - scp_) * part));
+    }
+  }
+
   void targets() {
     for (const TargetMarker& t : scene_.targets) {
       const Colour colour = t.reached ? scene_.theme.force : scene_.theme.target;
@@ -465,6 +481,7 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.body(*model);
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.ghost(*model);
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.markedPose(*model);
+  if (scene.shown.has(ViewPart::Probe)) make.ledProbe();
   if (scene.shown.has(ViewPart::Probe)) make.hand();
   if (model && scene.shown.has(ViewPart::Probe)) make.shadow();
   if (scene.shown.has(ViewPart::Hip)) make.hip();

@@ -138,8 +138,9 @@ struct ViewScene {
   std::vector<LoadedAtom> attracting, repelling;
   /// Lines between what the hand holds and the molecule, drawn with the probe; null: none.
   std::shared_ptr<const Annotations> held_lines;
-  Vec3 torque_N_A{0.0};  ///< of a body on the hand, about the body's middle, in the molecule's axes
-  bool water = true;     ///< a probe of water's size is drawn as a water molecule; false: as a sphere
+  Vec3 torque_N_A{0.0};         ///< of a body on the hand, about the body's middle, in the molecule's axes
+  std::optional<PointA> ghost;  ///< where a guide leads the probe, drawn as its outline; empty: no guide
+  bool water = true;            ///< a probe of water's size is drawn as a water molecule; false: as a sphere
   /// The model of a hand, with its origin at the HIP and +y toward the user's hand; may be null.
   std::shared_ptr<const SolidModel> hand;
   bool left_hand = false;      ///< the hand comes from the left (default: from the right)

@@ -9,6 +9,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/results/page_parts.h"
+#include "engine/results/study_statistics.h"
 
 namespace moltact {
 
@@ -20,14 +21,6 @@ double mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double v : values) sum += v;
   return sum / double(values.size());
-}
-
-// Requires at least two values.
-double standardError(const std::vector<double>& values) {
-  const double middle = mean(values), n = double(values.size());
-  double squares = 0.0;
-  for (const double v : values) squares += (v - middle) * (v - middle);
-  return std::sqrt(squares / (n - 1.0) / n);
 }
 
 }  // namespace
@@ -112,15 +105,18 @@ std::string gainSection(const LessonSummary& lesson) {
     gains.push_back(*pair.gain());
   }
   if (rows.empty()) return {};
+  const std::optional<double> half_width = meanHalfWidth(spreadOf(gains));
   if (!gains.empty())
     rows += "<tr><td class=\"name\"><b>" + trf("Mean of {0}", gains.size()) + "</b></td><td>" +
             number(mean(before), 2) + "</td><td>" + number(mean(after), 2) + "</td><td><b>" + number(mean(gains), 2) +
-            (gains.size() > 1 ? " ± " + number(standardError(gains), 2) : std::string()) + "</b></td></tr>";
+            (half_width ? " ± " + number(*half_width, 2) : std::string()) + "</b></td></tr>";
   return section(tr("Told apart in the dark, before and after"),
                  {{tr("Student")}, {tr("d′ before")}, {tr("d′ after")}, {tr("Gain")}}) +
          rows + "</tbody></table><p class=\"quiet small\">" +
-         tr("0 is guessing; 1 tells apart a little, 2 well. Of each asking the first round counts. Behind ± stands the "
-            "standard error of the mean.") +
+         tr("0 is guessing; 1 tells apart a little, 2 well. Of each asking the first round counts. Behind ± stands "
+            "half "
+            "the width of the 95 % confidence interval of the mean gain; if 0 lies within it, so few students show no "
+            "gain.") +
          "</p></div>";
 }
 

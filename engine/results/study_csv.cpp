@@ -45,8 +45,9 @@ std::string joined(const std::vector<std::size_t>& numbers) {
 
 // A row before its cells are written.
 struct Cells {
-  std::string item, kind, text, answer, right, misconception, input, unit, goals;
-  std::optional<double> seconds, value;
+  std::string item = {}, kind = {}, text = {}, answer = {}, right = {}, misconception = {}, input = {}, unit = {},
+              goals = {};
+  std::optional<double> seconds = {}, value = {};
   int tries = -1;
 };
 

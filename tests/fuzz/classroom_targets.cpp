@@ -42,6 +42,8 @@ std::string path(Choices& choices) {
                                            "/abc234/",
                                            "/abc234/lesson/0",
                                            "/abc234/board",
+                                           "/abc234/board.js",
+                                           "/abc234/scene",
                                            "/teacher/t22/",
                                            "/teacher/t22/events",
                                            "/teacher/t22/report",
@@ -105,7 +107,24 @@ std::string line(Choices& choices) {
 }
 
 std::string body(Choices& choices) {
-  switch (choices.pick(9)) {
+  switch (choices.pick(11)) {
+    case 9: {
+      Json out{{"do", choices.pick(4) ? "ask scene" : "end scene"}, {"student", choices.pick(4)}};
+      return out.dump();
+    }
+    case 10: {
+      Json out{{"token", kTokens[choices.pick(4)]}, {"scene", choices.pick(4)}, {"step", choices.pick(4)}};
+      out["lesson"] = choices.pick(9) ? "bumps" : "none";
+      constexpr const char* kSays[] = {"yes", "no", "stop", "?"};
+      if (choices.pick(3)) {
+        out["say"] = kSays[choices.pick(4)];
+        out["named"] = choices.pick(2) > 0;
+      }
+      // A JPEG of 2 x 2 pixels up to the frame's header, and its end.
+      constexpr const char* kJpeg = "/9j/wAALCAACAAIBAREA/9k=";
+      if (choices.pick(2)) out["picture"] = choices.pick(3) ? kJpeg : rawText(choices, 40);
+      return out.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
     case 0:
       return rawText(choices, 200);
     case 1:

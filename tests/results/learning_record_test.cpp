@@ -14,7 +14,7 @@ namespace {
 
 Attempt learningRecordSample() { return {"a.jsonl", sampleHeader(), sampleEvents(), {}, false}; }
 
-using Kind = LearningInteraction::Kind;
+using RecordKind = LearningInteraction::Kind;
 
 }  // namespace
 
@@ -45,14 +45,14 @@ TEST_CASE("4 interactions in order of time, with latency, UTC and the misconcept
   const auto& [task, wrong, right, typed] =
       std::tie(r.interactions[0], r.interactions[1], r.interactions[2], r.interactions[3]);
   CHECK(task.id == "task_one_1");
-  CHECK(task.kind == Kind::Task);
+  CHECK(task.kind == RecordKind::Task);
   CHECK(task.text == "Touch it.");
   CHECK(task.right);
   CHECK(task.latency_s == doctest::Approx(3.2));
   CHECK(task.at_utc == "2026-11-21T10:58:17Z");
   CHECK(task.goals == std::vector<std::size_t>{0, 1});
   CHECK(wrong.id == "question_one_which");
-  CHECK(wrong.kind == Kind::Choice);
+  CHECK(wrong.kind == RecordKind::Choice);
   CHECK_FALSE(wrong.right);
   CHECK(wrong.chosen == std::vector<std::size_t>{0});
   CHECK(wrong.right_choices == std::vector<std::size_t>{1});
@@ -63,7 +63,7 @@ TEST_CASE("4 interactions in order of time, with latency, UTC and the misconcept
   CHECK(right.attempt == 2);
   CHECK(right.misconceptions.empty());
   CHECK(right.latency_s == doctest::Approx(1.0));
-  CHECK(typed.kind == Kind::Typed);
+  CHECK(typed.kind == RecordKind::Typed);
   CHECK(typed.written == "2.5 Å");
   CHECK(typed.latency_s == doctest::Approx(1.0));
   CHECK(typed.at_utc == "2026-11-21T10:58:23Z");

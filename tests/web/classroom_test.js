@@ -217,6 +217,15 @@ const line = (k) => JSON.stringify({kind: "still", t: k}) + "\n";
   const some = student(Object.assign(server(), {limit: 1, ended: true}), {"a.jsonl": line(0) + line(1)});
   await some.sender.step(1);
   same(some.said, ["refused", "ended, some kept"]);
+  // Nor before the browser has stored its last lines, which then arrive.
+  const late = server(), late_stored = {"a.jsonl": line(0).length}, later = student(late, {"a.jsonl": line(0) + line(1)}, late_stored);
+  late.ended = true;
+  await later.sender.step(1);
+  same(later.said, []);
+  late_stored["a.jsonl"] = Infinity;
+  await later.sender.step(1e5);
+  same(later.said, ["ended"]);
+  assert.strictEqual(late.kept.get("a").length, 2);
   // A body that is too large by a line is sent line by line.
   const small = server(), few = student(small, {"a.jsonl": line(0) + line(1) + line(2)}), take = small.ask;
   few.sender.ask = async (where, body) => body.lines?.length > 1 ? {status: 413, json: {}} : take(where, body);
@@ -249,6 +258,114 @@ const line = (k) => JSON.stringify({kind: "still", t: k}) + "\n";
   same(page.studentsIn(JSON.stringify(anna)), [anna]);
   same(page.withStudent(page.studentsIn(JSON.stringify([anna])), ben), [ben, anna]);
   same(page.withStudent([ben, anna], anna), [anna, ben]);
+
+  // The scene, for the class to see. A class's computer that asks and takes pictures, and a page at a step.
+  const sharing = () => {
+    const it = {box: "", place: {lesson: "bumps", step: 1}, picture: "abc", sent: [], status: 200, answer: null, stop: null};
+    it.share = new page.SceneShare("token", {
+      ask(answer) { it.box = "asked"; it.answer = answer; }, showing(stop) { it.box = "showing"; it.stop = stop; }, quiet() { it.box = ""; },
+      place: () => it.place, picture: async () => it.picture,
+    }, async (where, body) => {
+      assert.strictEqual(where, "scene");
+      it.sent.push(body);
+      if (it.status === 0) throw new Error("no connection");
+      return {status: it.status, json: {}};
+    });
+    return it;
+  };
+  const here = {lesson: "bumps", step: 1};
+  const seen = sharing();
+  seen.share.heard(null);
+  await seen.share.step();
+  same(seen.sent, []);  // nothing without a question
+  seen.share.heard({ask: 4});
+  seen.share.heard({ask: 4});
+  assert.strictEqual(seen.box, "asked");
+  await seen.share.step();
+  same(seen.sent, []);  // nothing before the answer
+  await seen.answer(true, true);
+  same(seen.sent.pop(), {token: "token", scene: 4, say: "yes", named: true, ...here});
+  assert.strictEqual(seen.box, "showing");
+  seen.share.heard({ask: 4});  // an answer of the class's computer from before
+  assert.strictEqual(seen.box, "showing");
+  await seen.share.step();
+  same(seen.sent.pop(), {token: "token", scene: 4, ...here, picture: "abc"});
+  seen.picture = "";  // in the dark
+  await seen.share.step();
+  same(seen.sent.pop(), {token: "token", scene: 4, ...here, picture: ""});
+  seen.share.heard({show: 4});
+  seen.status = 429;
+  await seen.share.step();
+  seen.status = 0;  // a lost connection does not end it
+  await seen.share.step();
+  assert.strictEqual(seen.box, "showing");
+  seen.status = 200;
+  // The student stops: nothing more goes, and not the picture that was under way.
+  seen.sent.length = 0;
+  seen.stop();
+  await seen.share.step();
+  same(seen.sent, [{token: "token", scene: 4, say: "stop"}]);
+  assert.strictEqual(seen.box, "");
+  const slowly = sharing();
+  slowly.share.heard({ask: 1});
+  await slowly.answer(true, false);
+  assert.strictEqual(slowly.sent.pop().named, false);
+  let made = null;
+  slowly.share.page.picture = () => new Promise((done) => { made = done; });
+  const under_way = slowly.share.step();
+  await Promise.all([slowly.stop(), new Promise((done) => setTimeout(done, 1))]);
+  made("abc");
+  await under_way;
+  assert.ok(slowly.sent.every((body) => body.picture === undefined));
+  // No; the step is left; the class's computer or the teacher ends it; a question that lapses.
+  const no = sharing();
+  no.share.heard({ask: 1});
+  await no.answer(false);
+  same(no.sent, [{token: "token", scene: 1, say: "no", named: false, ...here}]);
+  no.share.heard({ask: 1});
+  assert.strictEqual(no.box, "");
+  no.share.heard({ask: 2});
+  assert.strictEqual(no.box, "asked");
+  no.share.heard(null);
+  assert.strictEqual(no.box, "");
+  for (const end of [(it) => { it.place = {lesson: "bumps", step: 2}; }, (it) => { it.place = null; }, (it) => { it.status = 410; },
+                     (it) => it.share.heard(null)]) {
+    const ends = sharing();
+    ends.share.heard({ask: 1});
+    await ends.answer(true, false);
+    end(ends);
+    await ends.share.step();
+    ends.sent.length = 0;
+    await ends.share.step();
+    same(ends.sent, []);
+    assert.strictEqual(ends.box, "");
+  }
+  // A page that is loaded again, or has not heard that its yes has arrived, shows nothing.
+  for (const heard of [false, true]) {
+    const again_loaded = sharing();
+    if (heard) {
+      again_loaded.share.heard({ask: 1});
+      again_loaded.status = 0;
+      await again_loaded.answer(true, true);
+      again_loaded.status = 200;
+    }
+    again_loaded.share.heard({show: 1});
+    same(again_loaded.sent.pop(), {token: "token", scene: 1, say: "stop"});
+    assert.strictEqual(again_loaded.box, "");
+  }
+  // A picture becomes smaller, in size and then in quality, until it fits.
+  const canvases = [];
+  const drawn = (length_at) => ({createElement: () => {
+    const it = {getContext: () => ({drawImage: (...at) => { it.at = at; }}),
+                toDataURL: (kind, quality) => "data:" + kind + ";base64," + "A".repeat(length_at(quality))};
+    canvases.push(it);
+    return it;
+  }});
+  const picture_of = (length_at) => page.smallPicture("canvas", [10, 20, 1280, 600], drawn(length_at));
+  assert.strictEqual((await picture_of(() => 1000)).length, 1000);
+  same([canvases[0].width, canvases[0].height, ...canvases[0].at.slice(1)], [640, 300, 10, 20, 1280, 600, 0, 0, 640, 300]);
+  assert.strictEqual((await picture_of((quality) => 100000 * quality)).length, 50000);
+  assert.strictEqual(await picture_of(() => 70000), "");
 
   // A large attempt goes in pieces below the server's limit.
   const large = server(), much = student(large, {"a.jsonl": Array.from({length: 900}, (_, k) => JSON.stringify({k, x: "y".repeat(1000)}) + "\n").join("")});

@@ -1,5 +1,6 @@
 """A live class: `moltact class` on a free port of the loopback, three students in browsers of their own, the teacher's page and the projector's.
-One student loses the server, which is killed and started again, and catches up."""
+One student loses the server, which is killed and started again, and catches up. Two are asked for their scene."""
+import concurrent.futures
 import json
 import pathlib
 import re
@@ -45,6 +46,15 @@ say: Push with 0.8 N.
 ## The end
 Done.
 """
+
+
+# How many colours the projector's picture of a scene has.
+COLOURS = """(() => {
+  const image = document.querySelector('#scene'), canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+  const context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  return new Set(new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size;
+})()"""
 
 
 def free_port():
@@ -99,9 +109,21 @@ class Class(PageTest):
     def answer(self, browser, words):
         browser.click(next(n for n, w in browser.widgets().items() if n.startswith("question/") and w[4] == words))
 
+    def ask_for_scene(self, teacher, browser, name):
+        teacher.until("document.querySelector('[data-do=\"ask scene\"]')", 30)
+        teacher.evaluate("[...document.querySelectorAll('#students tbody tr')].find((row) => row.cells[0].textContent === "
+                         + json.dumps(name) + ").querySelector('button').click()")
+        browser.until("document.querySelectorAll('#class-scene .answers button').length === 3", 30)
+
+    def press_answer(self, browser, number):
+        """1: yes, with the name; 2: yes, without it; 3: no."""
+        browser.evaluate(f"document.querySelector('#class-scene .answers button:nth-child({number})').click()")
+
     def test_three_students_join_one_loses_the_server_and_catches_up_and_the_teacher_sees_holds_and_ends(self):
-        ada, bo, animal = self.join("<b>Ada</b>"), self.join("Bo"), self.join("")
-        teacher = self.browser()
+        with concurrent.futures.ThreadPoolExecutor(5) as pool:
+            others = [pool.submit(self.browser) for _ in range(2)]
+            ada, bo, animal = pool.map(self.join, ("<b>Ada</b>", "Bo", ""))
+            teacher, board = (other.result() for other in others)
         teacher.go(self.teacher)
         teacher.until("document.querySelectorAll('#students tbody tr').length === 3")
         names = [row[0] for row in self.rows(teacher)]
@@ -110,7 +132,6 @@ class Class(PageTest):
         self.assertTrue(all(names), names)
 
         # Three predictions, of which the projector shows one plot without names when the teacher says so.
-        board = self.browser()
         board.go(self.student + "board")
         board.until("document.querySelector('.big')?.textContent === " + json.dumps(self.student))
         for browser, words in ((ada, "Soft first, then harder"), (bo, "Hard from the first touch"), (animal, "Soft first, then harder")):
@@ -134,6 +155,19 @@ class Class(PageTest):
         teacher.until("document.querySelector('#answers').textContent.includes('counts what hides as one')", 30)
         self.wait_row(teacher, lambda row: row[0] == "<b>Ada</b>" and row[1].startswith("1. Touch"))
 
+        # Ada is asked for her scene and agrees, without the name: it stays hidden while a question of the step is open.
+        self.ask_for_scene(teacher, ada, "<b>Ada</b>")
+        self.picture(ada, "class-asked")
+        self.press_answer(ada, 2)
+        ada.until("document.querySelector('#class-scene.showing')")
+        board.until("document.querySelector('#why')?.textContent.includes('until everyone at this step has answered')", 30)
+        self.assertTrue(board.evaluate("document.querySelector('#scene').hidden"))
+        self.assertNotIn("Ada", board.evaluate("document.body.textContent"))
+        teacher.until("document.querySelector('#end-scene')")
+        teacher.evaluate("document.querySelector('#end-scene').click()")
+        ada.until("!document.querySelector('#class-scene')", 30)
+        board.until("!document.querySelector('#scene')", 30)
+
         # The class is held at the first step: the button says so; when it is opened, the student goes on.
         teacher.evaluate("document.querySelector('#hold-hands-0').click()")
         self.answer(ada, "Two")
@@ -156,6 +190,19 @@ class Class(PageTest):
         bo.until("document.querySelector('#class-said').textContent.includes('answers again')", 30)
         self.wait_row(teacher, lambda row: row[0] == "Bo" and row[1].startswith("2. Slide"))
 
+        # Bo, at a step without questions, agrees with the name: the projector shows the scene, until Bo stops it.
+        self.ask_for_scene(teacher, bo, "Bo")
+        self.press_answer(bo, 1)
+        board.until("document.querySelector('#scene')?.naturalWidth > 100", 60)
+        self.assertEqual(board.evaluate("document.querySelector('h1').textContent"), "The scene of Bo")
+        self.assertGreater(board.evaluate(COLOURS), 100)
+        self.assertEqual(teacher.evaluate("document.querySelector('#scene-row').textContent.includes('the scene of Bo, with the name')"), True)
+        self.picture(board, "class-scene")
+        self.picture(bo, "class-showing")
+        bo.evaluate("document.querySelector('#class-scene button').click()")
+        board.until("!document.querySelector('#scene')", 30)
+        self.assertNotIn("Bo", board.evaluate("document.body.textContent"))
+
         # A page that is loaded again goes on as the same student, in the same attempt.
         bo.go(self.student)
         bo.until("document.querySelector('#class-join button')?.textContent === 'Go on as Bo'")
@@ -174,8 +221,9 @@ class Class(PageTest):
             self.assertIn(name, text)
         self.server.send_signal(signal.SIGINT)
         self.server.wait(30)
-        lines = [json.loads(line) for line in (self.folder / "class" / "attempts" / "student-002-1.jsonl").read_text().splitlines()]
-        self.assertEqual(lines[0]["student"], "Bo")
+        attempts = [[json.loads(line) for line in file.read_text().splitlines()] for file in (self.folder / "class" / "attempts").glob("*.jsonl")]
+        self.assertEqual(len(attempts), 3)
+        lines, = [attempt for attempt in attempts if attempt[0]["student"] == "Bo"]
         times = [line["t"] for line in lines[1:] if line["kind"] in ("step", "answer", "done")]
         self.assertEqual(times, sorted(times))
         # Once until the page was loaded again: what came twice counts once.

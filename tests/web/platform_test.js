@@ -424,6 +424,25 @@ async function cmi5() {
   assert.deepStrictEqual(lrs.states.get("moltact").scores, {"": 1, goal_1: 1});
   assert.deepStrictEqual(lrs.faults, []);
 
+  // The way back to the platform, if it names one on the web: what is done goes there first, and a connection that is lost
+  // does not hold the student.
+  for (const [address, wanted] of [[undefined, null], ["https://lms/course/4?a=b", "https://lms/course/4?a=b"], ["javascript:alert(1)", null],
+                                   ["/course", null], ["file:///etc/passwd", null], ["http://lms/", "http://lms/"]]) {
+    const back = recordStore(), gone = [];
+    back.launch.returnURL = address;
+    const d = await launched(back);
+    assert.strictEqual(d.link.return_url, wanted);
+    if (!wanted) continue;
+    d.program.record = record(4, {done: 1, interactions: [task]});
+    const window = {location: {assign: (to) => gone.push([to, back.statements.length])}};
+    await d.reporter.leave(window);
+    back.lost = true;
+    d.program.record = record(5, {done: 1, interactions: [task, wrong]});
+    await d.reporter.leave(window);
+    assert.deepStrictEqual(gone, [[wanted, 3], [wanted, 3]]);  // initialized, answered, progressed
+    assert.deepStrictEqual(back.faults, []);
+  }
+
   // A mark to pass, set by the platform, is judged when the lesson is finished.
   const strict = recordStore();
   strict.launch.masteryScore = 0.8;

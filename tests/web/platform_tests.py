@@ -344,6 +344,31 @@ class Platform(PageTest):
             scored = [s for s in store.statements if s["verb"]["id"].endswith("/scored") and s["object"]["id"] == store.activity]
             self.assertAlmostEqual(scored[-1]["result"]["score"]["scaled"], 2 / 3, places=4)
 
+    def test_the_page_offers_the_way_back_that_the_platform_names_at_the_end_of_the_lesson(self):
+        (self.folder / "cmi5" / "course.html").write_text("<title>The course</title>")
+        with RecordStore(self.folder / "cmi5") as store:
+            store.launch_data = {"returnURL": f"{store.address}/course.html?section=4"}
+            browser = self.browser()
+            browser.go(store.launch())
+            browser.until("globalThis.moltact && moltact.page.frames > 1", 120)
+            self.touch_and_err(browser)
+            self.finish(browser)
+            store.wait_for("completed", 1)
+            browser.click("lesson/next")
+            browser.wait_for("lesson/step", "The end")
+            browser.click("lesson/next")
+            browser.wait_for("lesson/end/platform", "Back to the platform")
+            self.picture(browser, "platform-back")
+            at = browser.place("lesson/end/platform")
+            for kind in ("mouseMoved", "mousePressed"):
+                browser.mouse(kind, *at, button="left")
+                browser.frames(2)
+            browser.mouse("mouseReleased", *at, button="left")  # no frame follows: the page goes
+            browser.until("document.title === 'The course'")
+            self.assertEqual(browser.evaluate("location.href"), store.launch_data["returnURL"])
+            store.wait_for("terminated", 1)
+            self.assertEqual(store.faults, [])
+
     def test_the_client_of_npm_s_xapi_cmi5_gets_on_with_this_record_store_sends_the_same_and_reads_what_the_page_wrote(self):
         """An author's client who knows nothing of Moltact: the record store above is not written to fit the page."""
         shutil.copy(self.of_npm(XAPI_CMI5) / "package/dist/Cmi5.umd.js", self.folder / "cmi5")

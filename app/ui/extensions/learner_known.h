@@ -1,5 +1,5 @@
-// Whether a learning platform knows who works, so that no lesson asks for a name. Set once by a page in a platform, before
-// it opens its lesson. Window's thread.
+// The learning platform around the page: whether it knows who works, so that no lesson asks for a name, and the way back to
+// it. Set once by a page in a platform, before it opens its lesson. Window's thread.
 #pragma once
 
 #include <string>
@@ -16,6 +16,12 @@ inline bool learnerKnown() { return learnerKnownFlag(); }
 inline std::string& assignedCode() {
   static std::string code;
   return code;
+}
+
+/// Leaves the program for the page of the platform that launched it; null if there is none, or it names no such page.
+inline void (*&platformReturn())() {
+  static void (*leave)() = nullptr;
+  return leave;
 }
 
 }  // namespace moltact

@@ -14,6 +14,7 @@ void TaskStager::beforeTicks() {
   panels_.arrows_draw = false;
   const LessonSession* session = lesson_.session();
   TaskStage wanted = session && lesson_.onStage() && scene_.stage() ? session->taskStage() : TaskStage();
+  scene_.lead(session && lesson_.onStage() && scene_.stage() ? session->taskGuide() : std::nullopt);
   comeClose(std::exchange(wanted.close_to, std::nullopt));
   if (wanted == stage_) return;
   scene_.controls.startTurned(wanted.body_turned);

@@ -182,6 +182,11 @@ ViewScene seenScene(const Application& app) {
       scene.torque_N_A = now.shownTorque_N_A();
     }
   }
+  // The ghost stands in for the force that a mouse cannot give.
+  if (const LessonSession* session = app.lesson.session(); session && app.lesson.onStage() && scene.hip)
+    if (const std::optional<TaskGuide> guide = session->taskGuide();
+        guide && !app.scene.playedHand().on() && (guide->ghost_with_device || !app.scene.leads()))
+      scene.ghost = guide->ghost;
   showForces(app, scene);
   showPose(app, scene);
   app.extensions().surface_scan.showIn(scene);

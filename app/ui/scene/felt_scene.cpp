@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/ui/scene/force_control.h"
+#include "engine/haptics/guide/guide_layer.h"
 #include "engine/haptics/height_field/height_field_tracker.h"
 #include "engine/haptics/pull_spring.h"
 
@@ -29,6 +30,7 @@ std::unique_ptr<Interaction> FeltScene::interactionAt(const Contact& contact, co
   if (made && scanned) return std::make_unique<HeightFieldTracker>(scanned);
   if (made && !pulled.empty())
     return std::make_unique<PullSpring>(std::move(made), pulled, stage().spheres->spheres(), pulled_masses);
+  if (made && guide) return std::make_unique<GuideLayer>(std::move(made), guide->felt(guide_A_per_mm));
   return made;
 }
 
@@ -40,6 +42,7 @@ std::unique_ptr<Interaction> FeltScene::freshInteraction() {
 
 void FeltScene::letGo() {
   pulled.clear();
+  guide.reset();
   scanned.reset();
   scanned_like.reset();
   controls.drag(false);

@@ -16,6 +16,7 @@
 #include "app/ui/scene/touchable_model.h"
 #include "app/ui/scene/view_controls.h"
 #include "engine/haptics/touch_setup.h"
+#include "engine/lesson/tasks/task.h"
 
 namespace moltact {
 
@@ -41,6 +42,8 @@ class FeltScene {
   bool resting = false;                        ///< the scene is not visible (ForceControl)
   std::vector<std::uint32_t> pulled;           ///< atoms that a spring holds (AtomPull)
   std::vector<double> pulled_masses;           ///< one for each of them, or none
+  std::optional<TaskGuide> guide;              ///< what leads a device's hand (HapticSession::lead)
+  double guide_A_per_mm = 0.0;                 ///< the scale for which it was made
   std::shared_ptr<const HeightField> scanned;  ///< a scanned surface (ScannedSurface)
   std::shared_ptr<const SphereGrid> scanned_like;
 
@@ -61,7 +64,7 @@ class FeltScene {
   std::unique_ptr<Interaction> interactionAt(const Contact& contact, const PoseA& hand);
   /// The same without a contact; null during a playback.
   std::unique_ptr<Interaction> freshInteraction();
-  /// Touches the scene again: no atoms are pulled, and no surface replaces it.
+  /// Touches the scene again: no atoms are pulled, no surface replaces it, and nothing leads the hand.
   void letGo();
 };
 

@@ -60,6 +60,20 @@ void HapticSession::setTouch(const TouchSetup& wanted) {
     colouring = look.colouring(colouring->scheme);
 }
 
+void HapticSession::lead(const std::optional<TaskGuide>& guide) {
+  if (!felt_.ownHand()) return;
+  const ServoLink& servo = felt_.servo;
+  const bool can = guide && stage() && !stage().body && felt_.pulled.empty() && !felt_.scanned &&
+                   !felt_.recorded.on() && !servo.records() && servo.deviceLeads() && servo.device().gives_force;
+  const std::optional<TaskGuide> next = can ? guide : std::nullopt;
+  const double A_per_mm = servo_settings.workspace.A_per_mm;
+  if (!next && !felt_.guide) return;
+  if (next && felt_.guide && next->feelsLike(*felt_.guide) && A_per_mm == felt_.guide_A_per_mm) return;
+  felt_.guide = next;
+  felt_.guide_A_per_mm = A_per_mm;
+  rebuildInteraction();
+}
+
 void HapticSession::rebuildInteraction() {
   if (force_.trying()) return force_.endTrial();
   const ServoSample& latest = log().latest();

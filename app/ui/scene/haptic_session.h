@@ -79,6 +79,12 @@ class HapticSession {
   TouchSetup touch() const { return felt_.touch(); }
   /// Changes the rendering parameters and keeps an existing contact. Ignores unknown names.
   void setTouch(const TouchSetup& wanted);
+  /// Leads the hand of a device that gives force by a task's guide; none: frees it. Keeps an existing contact; the force
+  /// begins softly. Called once per frame. Without such a device, with a body in the hand, while a hand is recorded and
+  /// while a recorded one is played nothing leads; during playback of an attempt and force trials nothing changes.
+  void lead(const std::optional<TaskGuide>& guide);
+  /// Whether a guide leads the hand now.
+  bool leads() const { return felt_.guide.has_value(); }
   /// Moves the atoms at constant speed to these positions (one sphere for each) within this number of ticks, also
   /// during contact; the picture follows. Returns false if `source` does not own the atoms, or while an earlier motion
   /// is waiting: repeat in a later frame. Also returns false without a model, during playback and while a force is

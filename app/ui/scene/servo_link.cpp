@@ -53,6 +53,7 @@ void ServoLink::setDevice(std::unique_ptr<Device> device) {
 }
 
 void ServoLink::record(bool on) {
+  records_ = on;
   if (thread_) return thread_->record(on);
   release();
   frames_->end();

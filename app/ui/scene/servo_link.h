@@ -64,6 +64,7 @@ class ServoLink {
 
   /// Records every tick from the next interaction on, until called with false.
   void record(bool on);
+  bool records() const { return records_; }
   /// Number of interactions passed to the loop so far.
   std::uint32_t handedOver() const { return handed_over_; }
 
@@ -95,7 +96,7 @@ class ServoLink {
   ServoSample newest_;
   // of this scene, beginning with that of the oldest tick still needed
   std::deque<std::shared_ptr<const SphereMotion>> motions_;
-  bool trying_ = false;
+  bool trying_ = false, records_ = false;
   std::uint32_t scene_ = 0, first_placement_ = 0, handed_over_ = 0;
   // On the frames' clock only:
   std::optional<ServoLoop> frames_;

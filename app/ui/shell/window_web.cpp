@@ -27,6 +27,7 @@
 #include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/class_hold.h"
+#include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reader.h"
 #include "engine/pack/pack_file.h"
 #include "engine/platform/storage_web.h"
@@ -41,6 +42,7 @@ EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text))
 EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
 EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
 EM_JS(int, hasTouchScreen, (void), { return Module.page.fingers() ? 1 : 0; })
+EM_JS(void, leavePlatform, (void), { Module.page.leavePlatform(); })
 EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
 
 namespace moltact {
@@ -261,6 +263,9 @@ EMSCRIPTEN_KEEPALIVE void moltact_platform_open(const char* pack, const char* su
   moltact::openInPlatform(pack, suspended);
 }
 
+// The platform names an address to return to.
+EMSCRIPTEN_KEEPALIVE void moltact_platform_returns() { moltact::platformReturn() = leavePlatform; }
+
 // The record for the platform (learning_record.h) with the interactions from the index `from` on; empty before the
 // student has begun. `max_chars`: limit of the suspended text.
 EMSCRIPTEN_KEEPALIVE const char* moltact_platform_record(int max_chars, int from) {
@@ -312,6 +317,27 @@ EMSCRIPTEN_KEEPALIVE void moltact_class_hold(const char* lesson, int step) {
     moltact::classHolds().erase(lesson);
   else
     moltact::classHolds()[lesson] = std::size_t(step);
+}
+
+// Where the student's scene is on the canvas, for a picture of it that the class may see: JSON of {lesson, step, at: [low x,
+// low y, width, height]}, with the lesson as in moltact_class_hold. Without "at" the scene may not be seen now: it is dark,
+// the question is what is touched, or another page lies over it. Empty outside a lesson.
+EMSCRIPTEN_KEEPALIVE const char* moltact_class_scene() {
+  moltact::Application& app = page->app;
+  const moltact::LessonSession* session = app.lesson.session();
+  if (!session) return "";
+  nlohmann::json out{{"lesson", moltact::lessonName(app.lesson.file()).id}, {"step", session->stepIndex()}};
+  const moltact::Extensions& all = app.extensions();
+  const moltact::OpenPages& pages = app.panels.pages;
+  const bool covered = pages.welcome || pages.open || pages.controls || pages.about || pages.preferences ||
+                       pages.device || pages.turns || pages.zoom || pages.look || pages.reading || pages.picture ||
+                       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  const bool unseen = all.reveal_policy.all() || all.task_stager.dark() || all.task_stager.asksWhat();
+  const moltact::WidgetRecord* view = moltact::widgets().find("view");
+  if (!covered && !unseen && app.lesson.onStage() && view && view->visible())
+    out["at"] = {view->low.x, view->low.y, view->high.x - view->low.x, view->high.y - view->low.y};
+  page->words = out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return page->words.c_str();
 }
 
 // The page loses the focus or is hidden.

@@ -62,6 +62,7 @@ bool ScriptedLearner::timeIsUp() const { return touch_.time_s() - task_begun_s_ 
 
 void ScriptedLearner::tick(const PoseA& hand) {
   const std::size_t task = session_.currentTask();
+  touch_.setGuide(session_.taskGuide());
   session_.feed(touch_.tick(hand));
   if (session_.currentTask() != task) reportDone(task);
 }

@@ -1,5 +1,6 @@
 #include "engine/lesson/scripted_learner/virtual_touch.h"
 
+#include "engine/haptics/guide/guide_layer.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/scene_atoms.h"
 #include "engine/servo/reference_interaction.h"
@@ -22,6 +23,7 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
     settings_.workspace = magnified(settings_.workspace, *region, DeviceSpecs{});
   scene_ = scene;
   stage_ = {};
+  guide_.reset();
   setStructures(nullptr);
   felt_ = nullptr;
   exact_ = nullptr;
@@ -89,9 +91,9 @@ void VirtualTouch::useMethod(std::string_view name) {
 void VirtualTouch::feelWith(const TouchSetup& wanted) {
   const TouchSetup touch = resolveInteraction(wanted, body_ != nullptr);
   if (!felt_ || !sameConstruction(touch, touch_)) {
-    std::unique_ptr<Interaction> made = makeInteraction(interactionInput(touch, *molecule_, spheres_, body_));
-    if (!made) return;
-    felt_ = std::move(made);
+    std::unique_ptr<Interaction> next = made(touch);
+    if (!next) return;
+    felt_ = std::move(next);
     ++settings_.discontinuities;
   }
   const TouchSetup reference = referenceOf(touch);
@@ -103,6 +105,29 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
   touch_ = touch;
   settings_.take(touch);
   method_ = findMethod(touch.method)->name;
+}
+
+std::unique_ptr<Interaction> VirtualTouch::made(const TouchSetup& touch) const {
+  std::unique_ptr<Interaction> out = makeInteraction(interactionInput(touch, *molecule_, spheres_, body_));
+  if (!out || !guide_) return out;
+  return std::make_unique<GuideLayer>(std::move(out), guide_->felt(settings_.workspace.A_per_mm));
+}
+
+// The contact begins anew with the force, as in the window.
+void VirtualTouch::setGuide(const std::optional<TaskGuide>& guide) {
+  const bool alike = guide.has_value() == guide_.has_value() && (!guide || guide->feelsLike(*guide_));
+  guide_ = guide;
+  if (alike || !felt_) return;
+  std::unique_ptr<Interaction> next = made(touch_);
+  if (!next) return;
+  // Led from outside along the contact, so that the hand keeps it.
+  const Vec3 outward = last_scp_A_ ? *last_scp_A_ - hand_.place.A : Vec3(0.0);
+  if (const double depth_A = glm::length(outward); depth_A > 0.0)
+    for (double out_A = 1e-6; out_A < 0.1; out_A *= 1.5)
+      if (next->respond({{*last_scp_A_ + outward * (out_A / depth_A)}, hand_.orientation}).contact.fault == Fault::None)
+        break;
+  next->respond(hand_);
+  felt_ = std::move(next);
 }
 
 void VirtualTouch::place(const PoseA& hand) {
@@ -119,6 +144,7 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   if (moves) fraction_ = std::min(1.0, fraction_ + 1.0 / motion_->ticks());
   const ServoSample s = step_.tick(settings_, felt_.get(), pose_, {}, {motion_.get(), fraction_});
   ++ticks_;
+  last_scp_A_ = s.contact.touching() ? std::optional(s.contact.scp.A) : std::nullopt;
   if (exact_) followTick(*exact_, s, motion_.get());
   if (motion_ && moves && !moving())
     spheres_ = std::make_shared<const SphereGrid>(motion_->at(1.0), spheres_->untouchable());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,8 @@ class VirtualTouch {
   bool moving() const { return motion_ && fraction_ < 1.0; }
   /// The changes of the scene that a task asks for; a default value for the scene as the lesson has it.
   void setStage(const TaskStage& stage);
+  /// Leads the hand by a guide from the next tick on; none: frees it. A guide that is felt alike changes nothing.
+  void setGuide(const std::optional<TaskGuide>& guide);
   /// Selects another method in its initial state. Ignores unknown names.
   void useMethod(std::string_view name);
 
@@ -42,10 +45,12 @@ class VirtualTouch {
   const SphereGrid& spheres() const { return *spheres_; }
   HandPlanInput view(int attempt) const;
   const PoseA& hand() const { return hand_; }
+  const Workspace& workspace() const { return settings_.workspace; }
   double time_s() const { return double(ticks_) * kTick_s; }
 
  private:
   void feelWith(const TouchSetup& touch);
+  std::unique_ptr<Interaction> made(const TouchSetup& touch) const;
 
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const SphereGrid> spheres_;
@@ -53,6 +58,8 @@ class VirtualTouch {
   std::unique_ptr<Interaction> felt_;
   // The reference of the method in use (referenceOf()); null if what is felt is what it would give.
   std::unique_ptr<Interaction> exact_;
+  std::optional<TaskGuide> guide_;
+  std::optional<Vec3> last_scp_A_;  // of the contact of the last tick
   TouchSetup touch_;
   std::string_view method_;  // its name in the table of methods
   std::shared_ptr<const TwoStates> states_;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/tasks/guided.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/touch_limits.h"
 
@@ -185,12 +186,13 @@ TaskKind crossKind() {
       {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .min = 1, .max = 100}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
+  addGuideKeys(keys);
   return {"cross",
           "Slide from one atom to another without leaving the surface.",
           {.base_s = 15.0, .each_s = 15.0, .each = "times", .each_what = "crossing"},
           std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
-          nullptr,
+          &checkGuideKeys,
           checkSides};
 }
 

@@ -1,5 +1,7 @@
 #include "engine/lesson/tasks/registry.h"
 
+#include "engine/lesson/tasks/guided.h"
+
 // One line per kind, in the order of the authors' reference. Its function is <name>Kind(), in its own file.
 #define MOLTACT_TASKS(X) \
   X(reach)               \
@@ -44,7 +46,8 @@ const TaskKind* findTaskKind(std::string_view name) {
 
 std::unique_ptr<Task> makeTask(const TaskSpec& spec, const Molecule& molecule) {
   const TaskKind* kind = findTaskKind(spec.kind);
-  return kind ? kind->make(spec, molecule) : nullptr;
+  std::unique_ptr<Task> task = kind ? kind->make(spec, molecule) : nullptr;
+  return task && hasGuide(spec) ? makeGuided(spec, std::move(task), molecule) : std::move(task);
 }
 
 }  // namespace moltact

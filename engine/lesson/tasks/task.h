@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/haptics/guide/guide.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/language/units.h"
 #include "engine/lesson/hand_plan.h"
@@ -97,6 +99,25 @@ struct TaskCurves {
   bool complete = false;            ///< of a task without a drawn curve: what was felt is final
 };
 
+/// The guide that leads the hand in a try of a task (engine/haptics/guide/guide.h).
+struct TaskGuide {
+  std::shared_ptr<const GuidePath> path;  ///< never null or empty
+  GuideKind kind = GuideKind::Tube;
+  double radius_A = 1.0;           ///< of the tube
+  double strength = 1.0;           ///< share of the full stiffness and force, above 0
+  PointA ghost = {};               ///< where the probe is to go next
+  bool ghost_with_device = false;  ///< the ghost is drawn also where a device guides the hand
+
+  /// The guide as felt at this scale of the workspace.
+  Guide felt(double A_per_mm) const {
+    return {path, kind, radius_A, strength * kGuideStiffness_N_per_mm / A_per_mm, strength * kGuideMax_N};
+  }
+  /// Whether both are felt alike; the ghost may differ.
+  bool feelsLike(const TaskGuide& other) const {
+    return path == other.path && kind == other.kind && radius_A == other.radius_A && strength == other.strength;
+  }
+};
+
 class Task {
  public:
   virtual ~Task() = default;
@@ -149,6 +170,9 @@ class Task {
     return out;
   }
 
+  /// The guide of the present try; none once done and in tries without one.
+  virtual std::optional<TaskGuide> guide() const { return std::nullopt; }
+
   /// The plan by which a scripted hand carries the task out from its present state; empty if a probe from outside
   /// reaches no suitable place. It is requested again if the plan was followed and the task is not done.
   virtual HandPlan demonstrate(const HandPlanInput& view) const = 0;
@@ -160,6 +184,9 @@ class Task {
 
   /// Sets the atoms that the scene excludes from touch (scene_atoms.h); called once, before the first tick.
   virtual void leaveOut(std::span<const std::uint32_t> /*untouchable*/) {}
+  /// The lesson's file and the scene's molecule, for a file beside the lesson that the task names. Called once, before the
+  /// first tick, after leaveOut().
+  virtual void takeLesson(const std::filesystem::path& /*lesson_file*/, const Molecule& /*molecule*/) {}
   /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Called once, before the
   /// first tick; not called if the hand holds the probe.
   virtual void takeInHand(std::shared_ptr<const HeldBody> /*body*/) {}
@@ -199,6 +226,7 @@ class Task {
   bool missedLast();
 
  private:
+  friend class GuidedTask;  // which runs another task several times
   void measureTouch(const TouchSample& sample, double dt_s);
 
   AuthorsText praise_;

@@ -9,6 +9,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/surface_places.h"
+#include "engine/lesson/tasks/guided.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -219,47 +220,51 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value& direction = spec.values["direction"];
   if (crease && direction.place.line)
     problems.push_back(problemAt(direction.place, tr("a crease has no direction"), tr("take the line out")));
+  checkGuideKeys(spec, problems);
 }
 
 }  // namespace
 
 TaskKind traceKind() {
+  std::vector<KeySpec> keys{
+      {.name = "trace",
+       .type = ValueType::Path,
+       .meaning = "The path: one selection, whose atoms are followed in the order of the file; places separated "
+                  "by 'then'; or 'crease'.",
+       .required = true,
+       .words = {"crease"}},
+      {.name = "of",
+       .type = ValueType::Selection,
+       .meaning = "For 'trace: crease': the atoms between which the creases lie."},
+      {.name = "within",
+       .type = ValueType::Quantity,
+       .meaning = "The largest distance of the contact point from the path.",
+       .fallback = "1 Å",
+       .dimension = Dimension::Length,
+       .min = 0.05,
+       .max = 50.0},
+      {.name = "cover",
+       .type = ValueType::Count,
+       .meaning = "The share of the path that must be followed, in percent.",
+       .fallback = "90",
+       .min = 1,
+       .max = 100},
+      {.name = "direction",
+       .type = ValueType::Word,
+       .meaning = "Whether the path may also be begun at its end.",
+       .fallback = "forward",
+       .words = {"forward", "either"}},
+      {.name = "lifts",
+       .type = ValueType::Count,
+       .meaning = "How often the student may lose contact before the path restarts; by default unlimited.",
+       .max = 100},
+      attemptsKey("For 'lifts': how often the path may be begun; by default unlimited. If contact is lost too "
+                  "often the last time as well, the student continues, and a path from atom to atom is marked.")};
+  addGuideKeys(keys);
   return {"trace",
           "Follow a path over the surface without losing contact.",
           {.base_s = 60.0},
-          {{.name = "trace",
-            .type = ValueType::Path,
-            .meaning = "The path: one selection, whose atoms are followed in the order of the file; places separated "
-                       "by 'then'; or 'crease'.",
-            .required = true,
-            .words = {"crease"}},
-           {.name = "of",
-            .type = ValueType::Selection,
-            .meaning = "For 'trace: crease': the atoms between which the creases lie."},
-           {.name = "within",
-            .type = ValueType::Quantity,
-            .meaning = "The largest distance of the contact point from the path.",
-            .fallback = "1 Å",
-            .dimension = Dimension::Length,
-            .min = 0.05,
-            .max = 50.0},
-           {.name = "cover",
-            .type = ValueType::Count,
-            .meaning = "The share of the path that must be followed, in percent.",
-            .fallback = "90",
-            .min = 1,
-            .max = 100},
-           {.name = "direction",
-            .type = ValueType::Word,
-            .meaning = "Whether the path may also be begun at its end.",
-            .fallback = "forward",
-            .words = {"forward", "either"}},
-           {.name = "lifts",
-            .type = ValueType::Count,
-            .meaning = "How often the student may lose contact before the path restarts; by default unlimited.",
-            .max = 100},
-           attemptsKey("For 'lifts': how often the path may be begun; by default unlimited. If contact is lost too "
-                       "often the last time as well, the student continues, and a path from atom to atom is marked.")},
+          std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
             if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
             return std::make_unique<TraceAtoms>(s, m);

@@ -7,6 +7,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/learner_known.h"
 #include "app/ui/panels/lesson/lesson_ends.h"
 #include "app/ui/panels/lesson/lesson_extras.h"
 #include "app/ui/widgets/controls.h"
@@ -345,7 +346,11 @@ void drawClosingFoot(Application& app) {
               back_w = std::min(look().tx(96), 0.4f * width), next_w = width - back_w - gap;
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w)) app.lesson.back();
   ImGui::SameLine();
-  if (const LessonCard* next = app.extensions().lesson_list.after(app.lesson.file())) {
+  if (const auto leave = platformReturn()) {
+    if (button("lesson/end/platform", elided(tr("Back to the platform"), next_w - look().px(28)).c_str(),
+               ButtonLook::Primary, next_w))
+      leave();
+  } else if (const LessonCard* next = app.extensions().lesson_list.after(app.lesson.file())) {
     const LessonCard card = *next;
     const bool go =
         button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), next_w - look().px(28)).c_str(),
