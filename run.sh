@@ -4,6 +4,7 @@
 #   ./run.sh info 1ubq          a command without a window; ./run.sh --help lists them
 #   ./run.sh web                builds the browser edition, build/web/moltact.html, and says where it is
 #   ./run.sh package            makes the Debian packages and says where they are
+#   ./run.sh windows            makes the installer and the zip for Windows and says where they are
 set -eu
 here=$PWD
 cd "$(dirname "$0")"
@@ -20,6 +21,13 @@ if [ "${1:-}" = package ]; then
   install_missing .ci/packages-package >&2
   make_package >&2
   ls "$root"/build/package/*moltact*.deb
+  exit 0
+fi
+if [ "${1:-}" = windows ]; then
+  install_missing .ci/packages-windows >&2
+  rm -f build/windows/moltact-*-windows-x64*
+  build_preset windows moltact_installer >&2
+  ls "$root"/build/windows/moltact-*-windows-x64*
   exit 0
 fi
 [ -x build/release/moltact ] || echo "Building Moltact; the first time this takes a few minutes." >&2

@@ -1,7 +1,7 @@
 # The libraries of the build for Windows (preset `windows`), cross-compiled by mingw-w64. docs/windows.md lists what is
 # left out, and why.
-set(sources_wanted imgui freetype zlib md4c libzip glfw3 hidapi libepoxy)
-set(headers_wanted glm eigen3 Spectra gemmi tao nlohmann fmt tiny_gltf.h stb zip.h zipconf.h CLI AL)
+set(sources_wanted imgui freetype zlib md4c libzip glfw3 hidapi libepoxy cpp-httplib qrencode)
+set(headers_wanted glm eigen3 Spectra gemmi tao nlohmann fmt tiny_gltf.h stb zip.h zipconf.h CLI)
 include(${CMAKE_CURRENT_LIST_DIR}/sources.cmake)
 
 # Units of several sources exceed the default section limit of object files.
@@ -43,5 +43,11 @@ macro(provide_libraries)
   source_library(source_hidapi PkgConfig::HIDAPI FOLDER hidapi INCLUDE ${sources}/hidapi/hidapi
     SOURCES windows/hid.c LINK setupapi hid)
   target_compile_options(source_hidapi PRIVATE -UWIN32_LEAN_AND_MEAN)
+  # The live class. Its page is served without encryption and compression.
+  source_library(source_httplib PkgConfig::HTTPLIB INCLUDE ${sources}/cpp-httplib LINK ws2_32)
+  source_library(source_qrencode PkgConfig::QRENCODE FOLDER qrencode INCLUDE ${sources}/qrencode
+    SOURCES bitstream.c mask.c mmask.c mqrspec.c qrencode.c qrinput.c qrspec.c rsecc.c split.c)
+  target_compile_definitions(source_qrencode PRIVATE STATIC_IN_RELEASE=static MAJOR_VERSION=4 MINOR_VERSION=1 MICRO_VERSION=1
+    VERSION="4.1.1")
   provide_imgui(SOURCES backends/imgui_impl_glfw.cpp LINK source_glfw opengl32 imm32)
 endmacro()

@@ -5,12 +5,12 @@
 
 #include "app/commands/command.h"
 #include "app/commands/value_types.h"
+#include "engine/classroom/class_folder.h"
 #include "engine/classroom/live_class.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
-#include "engine/results/attempt.h"
 
 namespace moltact {
 namespace {
@@ -23,17 +23,6 @@ struct ClassArguments {
   bool share = false;
   int port = -1;
 };
-
-// "2026-11-28-061449", of the time in UTC.
-std::string classFolderName(std::chrono::system_clock::time_point time) {
-  std::string out;
-  for (const char c : utcText(time))
-    if (c == 'T')
-      out += '-';
-    else if (c != ':' && c != 'Z')
-      out += c;
-  return out;
-}
 
 std::string goOnCommand(const fs::path& folder) { return "moltact class --folder '" + folder.string() + "'"; }
 

@@ -440,10 +440,10 @@ Expected<std::string> ClassRequests::writeReport() {
   const std::string now = utcText(std::chrono::system_clock::now());
   std::string page =
       classPage(reading.summary, reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC");
-  if (const auto problem = writeWhole(store_.folder() / "report.html", page, IfThere::Renew)) return *problem;
+  if (const auto problem = writeWhole(reportFile(), page, IfThere::Renew)) return *problem;
   std::error_code error;
-  std::filesystem::permissions(store_.folder() / "report.html",
-                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
+  std::filesystem::permissions(reportFile(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write,
+                               error);
   return page;
 }
 
@@ -460,6 +460,18 @@ std::string ClassRequests::liveParts(double now_s) const {
   const std::lock_guard held(lock_);
   for (auto& [id, html] : teacherParts(view(now_s))) out[id] = std::move(html);
   return out.dump(-1, ' ', false, RequestJson::error_handler_t::replace);
+}
+
+ClassView ClassRequests::shownView(double now_s) const {
+  const std::lock_guard held(lock_);
+  return view(now_s);
+}
+
+bool ClassRequests::steerHere(std::string body, double now_s) {
+  ClassRequest request;
+  request.body = std::move(body);
+  request.now_s = now_s;
+  return steer(request).status == 200;
 }
 
 bool ClassRequests::ended() const {

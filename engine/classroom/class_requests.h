@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -77,11 +78,16 @@ class ClassRequests {
 
   /// The parts of the teacher's page that change, as JSON {"id": "HTML", …}.
   std::string liveParts(double now_s) const;
+  /// What the teacher's page shows, for a page that is not in a browser.
+  ClassView shownView(double now_s) const;
+  /// Does what the teacher's page asks for by a body of /steer, which a page in the program makes. False if it was refused.
+  bool steerHere(std::string body, double now_s);
   bool ended() const;
   std::size_t students() const;
   /// Writes all attempts and the report (report.html in the class's folder); returns its HTML, empty if nobody has begun a
   /// lesson. Blocks.
   Expected<std::string> writeReport();
+  std::filesystem::path reportFile() const { return store_.folder() / "report.html"; }
 
  private:
   ClassRequests(ClassSite site, ClassRoom room, ClassStore& store)

@@ -1,7 +1,6 @@
 #include "engine/classroom/class_server.h"
 
 #include <httplib.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <atomic>
@@ -9,6 +8,7 @@
 #include <thread>
 
 #include "engine/language/catalogue.h"
+#include "engine/platform/listening_socket.h"
 
 namespace moltact {
 namespace {
@@ -50,9 +50,9 @@ struct ClassServer::Impl {
   int port = 0;
 
   // The library asks for a queue of 5 connections; a class that opens the page at the same moment is longer, and each
-  // connection beyond it waits a second or more. Linux takes the length of a later call.
-  void lengthenQueue() const {
-    if (socket != INVALID_SOCKET) (void)::listen(socket, kWaitingConnections);
+  // connection beyond it waits a second or more. Linux takes the length of a later call; Windows keeps the first.
+  void allowMoreToWait() const {
+    if (socket != INVALID_SOCKET) lengthenQueue(SocketHandle(socket), kWaitingConnections);
   }
 
   double now_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(); }
@@ -119,13 +119,14 @@ ClassServer::ClassServer() : impl_(std::make_unique<Impl>()) {
   http.set_tcp_nodelay(true);
   // Not the library's SO_REUSEPORT, with which a second class of the same account would share the port.
   http.set_socket_options([this](socket_t socket) {
-    const int yes = 1;
-    (void)::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    takePortAlone(SocketHandle(socket));
     impl_->socket = socket;
   });
 }
 
 ClassServer::~ClassServer() = default;
+
+std::chrono::steady_clock::time_point ClassServer::clockBegan() const { return impl_->began; }
 
 Expected<int> ClassServer::bind(bool share, int port) {
   impl_->address = share ? "0.0.0.0" : "127.0.0.1";
@@ -135,7 +136,7 @@ Expected<int> ClassServer::bind(bool share, int port) {
   else if (!impl_->http.bind_to_port(impl_->address, port))
     bound = -1;
   if (bound > 0) {
-    impl_->lengthenQueue();
+    impl_->allowMoreToWait();
     return impl_->port = bound;
   }
   return Problem{{},
@@ -197,7 +198,7 @@ bool ClassServer::serve(ClassRequests& requests, const std::function<bool()>& st
       if (std::chrono::steady_clock::now() - began > kGoodFor) again = kStopEvery;
       std::this_thread::sleep_for(again);
       if ((again *= 2) > kGiveUpAfter) break;
-      if (http.bind_to_port(impl_->address, impl_->port)) impl_->lengthenQueue();
+      if (http.bind_to_port(impl_->address, impl_->port)) impl_->allowMoreToWait();
     }
     served = false;
   });

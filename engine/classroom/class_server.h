@@ -2,6 +2,7 @@
 // to ClassRequests. Its threads are those of the library: one accepts, others answer. Linux.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,6 +19,8 @@ class ClassServer {
 
   /// Takes a port of the loopback, or with `share` of all network interfaces; 0: any free one. Returns the port.
   Expected<int> bind(bool share, int port);
+  /// When the clock of all requests (ClassRequest::now_s) was 0.
+  std::chrono::steady_clock::time_point clockBegan() const;
   /// Answers until `stop` returns true, which is asked ten times a second. If the system stops to accept connections, it
   /// binds again, for about 12 s. Returns false if it gave up.
   bool serve(ClassRequests& requests, const std::function<bool()>& stop);

@@ -144,7 +144,7 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& given,
                                     const std::function<bool()>& stop) {
   Expected<std::string> page = readFile(given.page, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
   if (!page) return page.problem();
-  std::unique_ptr<ClassStore> store;
+  std::shared_ptr<ClassStore> store;
   const bool resumed = ClassStore::begun(given.folder);
   if (resumed) {
     Expected<std::unique_ptr<ClassStore>> opened = ClassStore::goOn(given.folder);
@@ -202,15 +202,20 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& given,
   started.resumed = resumed;
   started.students = room.students().size();
   started.ended = room.ended();
-  Expected<std::unique_ptr<ClassRequests>> requests = ClassRequests::make(std::move(site), std::move(room), *store);
-  if (!requests) {
-    Problem problem = requests.problem();
+  Expected<std::unique_ptr<ClassRequests>> made = ClassRequests::make(std::move(site), std::move(room), *store);
+  if (!made) {
+    Problem problem = made.problem();
     problem.file = options.page.string();
     return problem;
   }
+  // Whoever keeps the requests keeps the store that they write to.
+  const std::shared_ptr<ClassRequests> requests(made->release(), [store](const ClassRequests* one) { delete one; });
+  started.requests = requests;
+  started.clock_began = server.clockBegan();
   news(started);
-  if (!server.serve(**requests, stop)) {
-    (void)(*requests)->writeReport();
+  started.requests.reset();
+  if (!server.serve(*requests, stop)) {
+    (void)requests->writeReport();
     return Problem{{},
                    0,
                    0,
@@ -220,9 +225,9 @@ std::optional<Problem> runLiveClass(const LiveClassOptions& given,
 
   LiveClassNews stopped;
   stopped.kind = LiveClassNews::Kind::Stopped;
-  stopped.ended = (*requests)->ended();
-  stopped.students = (*requests)->students();
-  const Expected<std::string> report = (*requests)->writeReport();
+  stopped.ended = requests->ended();
+  stopped.students = requests->students();
+  const Expected<std::string> report = requests->writeReport();
   if (!report) return report.problem();
   if (!report->empty()) stopped.report = store->folder() / "report.html";
   news(stopped);

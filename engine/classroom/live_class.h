@@ -2,9 +2,11 @@
 // leaves attempts and a report behind. Blocks; any thread but the haptic one. docs/live-class.md
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +14,8 @@
 #include "engine/core/problem.h"
 
 namespace moltact {
+
+class ClassRequests;
 
 struct LiveClassOptions {
   std::vector<std::string>
@@ -39,6 +43,9 @@ struct LiveClassNews {
   bool shared = false, alone = false;  ///< whether other computers may connect; whether it is in no network
   bool resumed = false, ended = false;
   std::size_t students = 0;
+  /// For who shows and steers the class besides its pages, with the beginning of its clock. It may be kept.
+  std::shared_ptr<ClassRequests> requests;
+  std::chrono::steady_clock::time_point clock_began;
   std::filesystem::path report;  ///< empty if nobody has begun a lesson
 };
 

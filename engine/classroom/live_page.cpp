@@ -423,7 +423,7 @@ meter::-moz-meter-bar,progress::-moz-progress-bar{background:var(--accent);borde
 .bars small{display:block}.bars meter{width:100%;height:16px}.bars meter::-webkit-meter-bar{grid-row:1/-1;height:100%}.bars b{text-align:right}.bars li.text{display:block;border-left:3px solid var(--line);padding:2px 10px;margin:4px 0;overflow-wrap:anywhere}
 .board main{text-align:center;font-size:24px}.board .big{font-size:clamp(28px,5vw,72px)}.board .qr{width:min(56vh,80vw);margin:16px auto}
 .plot main{text-align:left;max-width:1400px}.plot h1{font-size:clamp(26px,3vw,44px)}.plot .bars li{padding:10px 0;font-size:clamp(20px,2.2vw,32px)}.plot .bars meter{height:30px;border-radius:8px}.plot .curves{max-width:min(100%,110vh)}
-#scene{display:block;width:100%;max-height:72vh;object-fit:contain;border-radius:10px;background:var(--panel)}#scene[hidden]{display:none}
+#scene{display:block;width:100%;max-height:72vh;object-fit:contain;border-radius:10px}#scene[hidden]{display:none}
 .plot section{display:flex;justify-content:space-between;align-items:center;gap:24px;margin-top:28px;padding-top:12px;border-top:1px solid var(--line);font-size:18px}.plot .big{font-size:clamp(20px,2.4vw,32px)}.plot .qr{width:min(22vh,30vw);margin:0}
 svg{max-width:100%;display:block}.curves{max-width:620px}.grid{stroke:var(--line);fill:none}.axis{font-size:11px;fill:var(--quiet)}.drawn{fill:none;stroke:var(--accent);stroke-width:2;stroke-opacity:.45;stroke-linejoin:round}
 #lost{color:var(--warn);font-weight:600}

@@ -28,7 +28,7 @@ bool waitFor(SOCKET socket, Wait what, int wait_ms) {
   FD_ZERO(&one);
   FD_SET(socket, &one);
   failed = one;
-  const timeval time{wait_ms / 1000, wait_ms % 1000 * 1000};
+  timeval time{wait_ms / 1000, wait_ms % 1000 * 1000};
   const bool reads = what == Wait::Readable;
   return ::select(0, reads ? &one : nullptr, reads ? nullptr : &one, &failed, &time) > 0;
 }

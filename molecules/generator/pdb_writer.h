@@ -50,6 +50,10 @@ std::string makeEmptyProtease(const std::string& entry);
 std::string makeAmprenavir(const std::string& entry);
 /// From the same text: protein and inhibitor, both flaps turned open by an angle. A model.
 std::string makeOpenProtease(const std::string& entry, double angle_deg);
+/// The drug stays where it is; isoleucine 84 of both chains becomes valine. A model.
+std::string makeResistantProtease(const std::string& entry);
+/// The drug in the shut tunnel (chain C), in the open one (F) of the text of 1hpv-open.pdb, and outside (G). A model.
+std::string makeThreeHolds(const std::string& entry, const std::string& open);
 /// Chain A: a lock; chain B: the key in it. No molecule.
 std::string makeKeyAndLock();
 

@@ -95,4 +95,9 @@ TEST_CASE("a-virus-in-the-hand.md is finished with the mouse alone, and with the
   walk("a-virus-in-the-hand.md", LessonHand::By::Keyboard);
 }
 
+TEST_CASE("seeing-by-feeling.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("seeing-by-feeling.md", LessonHand::By::Mouse);
+  walk("seeing-by-feeling.md", LessonHand::By::Keyboard);
+}
+
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The notes for a teacher who did not write the lesson: in every lesson, in both languages, they have each of seven
+// The notes for a teacher who did not write the lesson: in every lesson, in each language, they have each of seven
 // parts, recognised by their first words.
 #include <algorithm>
 #include <filesystem>
@@ -38,6 +38,14 @@ const std::vector<Part> kGerman{{"Vorwissen:"},
                                 {"Mit einem Gerät"},
                                 {"Ohne Gerät"},
                                 {"Was das Modell auslässt", "Was das Modell weglässt", "Das Modell lässt"}};
+const std::vector<Part> kFrench{
+    {"Connaissances préalables"},  // without the colon, before which stands a no-break space
+    {"Idées fausses fréquentes"}, {"Réponse attendue"}, {"Pour la discussion"},
+    {"Avec un seul appareil"},    {"Sans appareil"},    {"Ce que le modèle omet"}};
+
+const std::vector<Part>& partsOf(const std::string& name) {
+  return name.ends_with(".de") ? kGerman : name.ends_with(".fr") ? kFrench : kEnglish;
+}
 
 }  // namespace
 
@@ -48,7 +56,7 @@ TEST_CASE("the teacher's notes of every shipped lesson have all seven parts") {
     const std::string name = entry.path().stem().string();
     CAPTURE(name);
     const std::string notes = notesOf(shippedLesson(name));
-    for (const Part& part : name.ends_with(".de") ? kGerman : kEnglish)
+    for (const Part& part : partsOf(name))
       CHECK_MESSAGE(std::any_of(part.begin(), part.end(),
                                 [&](const std::string& words) { return notes.find(words) != std::string::npos; }),
                     part.front());

@@ -1,73 +1,31 @@
 #!/usr/bin/env python3
-"""Tries under Wine what the preset `windows` has built: python3 tests/windows/run.py. Wine's own folder is a new one, its
-display a virtual one, and OpenGL comes from Mesa in software."""
+"""Tries under Wine what the preset `windows` has built: python3 tests/windows/run.py [Installed]"""
+import collections
 import csv
 import os
 import pathlib
 import random
 import shutil
+import struct
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hip_path"))
 from hip_paths import DESKTOP, MOST_A, ROOT, hand, hold_against_the_desktop  # noqa: E402
+import wine  # noqa: E402
+from installed_tests import Installed  # noqa: E402,F401
+from wine import BUILT, PICTURES, PROGRAM, WINE, apart, shown, there  # noqa: E402
 
-BUILT = ROOT / "build" / "windows"
-PROGRAM = BUILT / "moltact" / "moltact.exe"
-PICTURES = BUILT / "pictures"  # what was seen, for a person to look at
-WINE = shutil.which("wine64") or "/usr/lib/wine/wine64"  # where Debian has it
 SIZE = (640, 400)
-VIEW = (700, 150, 400, 400)  # width, height and corner of a part of the window that shows the molecule
-
-
-def there(path):
-    """A path of this system as a program under Wine names it."""
-    return "Z:" + str(path).replace("/", "\\")
-
-
-def colours(picture, *changed):
-    """The bytes red, green, blue of each pixel."""
-    return subprocess.run(["convert", picture, *changed, "-depth", "8", "rgb:-"], check=True, capture_output=True).stdout
-
-
-def apart(one, other, *changed):
-    """How far two pictures are apart in the mean (of 255), and the share of their bytes that differ by more than 16."""
-    a, b = colours(one, *changed), colours(other, *changed)
-    if len(a) != len(b):
-        raise AssertionError(f"{one} and {other} differ in size")
-    differences = [abs(x - y) for x, y in zip(a, b)]
-    return sum(differences) / len(a), sum(d > 16 for d in differences) / len(a)
-
-
-def shown(picture, *changed):
-    """The share of pixels that have another colour than most."""
-    bytes_of = colours(picture, *changed)
-    pixels = [bytes_of[k:k + 3] for k in range(0, len(bytes_of), 3)]
-    return 1 - pixels.count(max(set(pixels), key=pixels.count)) / len(pixels)
 
 
 class UnderWine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="moltact-wine-"))
-        reading, writing = os.pipe()
-        cls.display = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
-                                       pass_fds=[writing], stderr=subprocess.DEVNULL)
-        os.close(writing)
-        number = os.read(reading, 16).decode().strip()
-        os.environ.update(WINEPREFIX=str(cls.folder / "wine"), WINEDEBUG="-all", DISPLAY=f":{number}", MOLTACT_LANGUAGE="en")
-        PICTURES.mkdir(exist_ok=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        server = pathlib.Path(WINE).with_name("wineserver64")
-        subprocess.run([server if server.exists() else "wineserver", "-k"], stderr=subprocess.DEVNULL)
-        cls.display.terminate()
-        cls.display.wait()
-        shutil.rmtree(cls.folder, ignore_errors=True)
+        wine.begin()
+        cls.folder = wine.FOLDER
 
     def moltact(self, *arguments, status=0):
         done = subprocess.run([WINE, PROGRAM, *arguments], capture_output=True, timeout=300)
@@ -91,6 +49,30 @@ class UnderWine(unittest.TestCase):
     def test_what_is_wrong_is_said_and_given_as_the_status(self):
         self.assertIn("there is no such file", self.moltact("info", there(self.folder / "none.pdb"), status=1))
         self.moltact("render", status=2)
+
+    def test_a_tone_of_440_Hz_reaches_the_end_of_the_sound_card_at_440_Hz(self):
+        config = self.folder / "alsa.conf"
+        config.write_text(wine.ALSA)
+        said = subprocess.run([WINE, BUILT / "moltact_tone.exe"], check=True, capture_output=True, timeout=120,
+                              env=os.environ | {"ALSA_CONFIG_PATH": str(config)}).stdout.decode()
+        self.assertTrue(said.startswith("playing"), said)
+        self.assertGreater(int(said.split()[1]), 48000)
+        left = [pair[0] for pair in struct.iter_unpack("<hh", wine.PLAYED.read_bytes())]
+        self.assertAlmostEqual(max(left), 16384, delta=20)  # half of what a word holds
+        rises = [k for k in range(1, len(left)) if left[k - 1] < 0 <= left[k]]
+        self.assertGreater(len(rises), 440)
+        # The most frequent period: where the computer stutters, others are longer.
+        periods = collections.Counter(b - a for a, b in zip(rises, rises[1:]))
+        period, often = periods.most_common(1)[0]
+        print(f"tone: {len(rises)} periods, {often} of them of {period} samples")
+        self.assertLess(abs(period - 48000 / 440), 1)
+
+    def test_without_a_sound_card_the_sound_says_so(self):
+        config = self.folder / "none.conf"
+        config.write_text("")
+        said = subprocess.run([WINE, BUILT / "moltact_tone.exe"], check=True, capture_output=True, timeout=120,
+                              env=os.environ | {"ALSA_CONFIG_PATH": str(config)}).stdout.decode()
+        self.assertEqual(said.strip(), "silent 0 There is no sound: this computer has no sound card that can be opened now.")
 
     def test_replay_feels_what_it_feels_on_the_desktop(self):
         seed = random.randrange(1 << 30)
@@ -149,18 +131,8 @@ class UnderWine(unittest.TestCase):
         running = subprocess.Popen([WINE, PROGRAM, there(lesson)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         try:
             until = time.monotonic() + 120
-            window = ""
-            while not window and time.monotonic() < until:
-                self.assertIsNone(running.poll(), "the program ended before its window was there")
-                window = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^Moltact$"], capture_output=True,
-                                        text=True).stdout.split("\n")[0]
-                time.sleep(0.5)
-            self.assertTrue(window, "no window came")
-            share = 0.0
-            while share < 0.3 and time.monotonic() < until:
-                time.sleep(2)
-                subprocess.run(["import", "-window", window, seen], check=True)
-                share = shown(seen, "-crop", "{}x{}+{}+{}".format(*VIEW), "+repage")
+            window = wine.window_of_moltact(until, lambda: running.poll() is None)
+            share = wine.show_molecule(window, seen, until)
             print(f"window: {share:.1%} of its view is not background")
             self.assertGreater(share, 0.3)
             subprocess.run(["xdotool", "windowfocus", window, "key", "ctrl+q"], check=True)

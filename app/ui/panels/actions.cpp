@@ -8,6 +8,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/lesson/class_page.h"
 #include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
 #include "app/ui/panels/lesson/print_kit.h"
@@ -15,6 +16,7 @@
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
+#include "engine/classroom/taught_class.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/hand_over.h"
 #include "engine/render/gltf_export.h"
@@ -394,6 +396,13 @@ constexpr std::array kActions{
            .run = [](App& a) { a.panels.pages.turns = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
+    Action{.name = "class",
+           .menu = Menu::Lesson,
+           .label = N_("Teach this lesson to a class …"),
+           .sentence = N_("Serves the lesson to the students' browsers, and shows you who is where"),
+           .run = openClassPage,
+           .enabled = [](const App& a) { return canServeClass() && (inLesson(a) || teachesClass()); },
+           .on = [](const App&) { return teachesClass(); }},
     Action{.name = "teacher-notes",
            .menu = Menu::Lesson,
            .label = N_("Teacher's notes"),

@@ -21,6 +21,7 @@
   PANEL(LessonProblems)              \
   PANEL(MessageStack)                \
   PAGE(TurnsPage, turns)             \
+  PANEL(ClassPage)                   \
   PAGE(OpenPage, open)               \
   PANEL(NameQuestion)                \
   PANEL(FilePage)                    \

@@ -12,6 +12,7 @@ namespace moltact {
 namespace {
 
 constexpr double kLead_A = 2.0;        // the ghost is so far ahead of the hand
+constexpr int kComparedWays = 12;      // ways that are compared with the hand's place
 constexpr double kSameProbe_A = 0.01;  // a probe that differs by less has the same way
 
 }  // namespace
@@ -70,15 +71,29 @@ void checkGuideKeys(const TaskSpec& spec, std::vector<Problem>& problems) {
                                    tr("add a line 'guide: tube' or 'guide: spring', or leave it out")));
 }
 
-GuidePath wayOfTask(const Task& task, const SphereGrid& spheres, double probe_A) {
-  std::vector<std::vector<Vec3>> parts;
-  // A spring without stiffness: the plan does not press.
-  for (const HandAct& act : task.demonstrate({.spheres = spheres, .probe_A = probe_A, .N_per_A = 0.0})) {
-    if (!act.to) continue;
-    if (act.placed || parts.empty()) parts.emplace_back();
-    if (!act.placed) parts.back().push_back(act.to->A);
+GuidePath wayOfTask(const Task& task, const SphereGrid& spheres, double probe_A, const std::optional<Vec3>& hand_A) {
+  GuidePath best({});
+  double least_A = 0.0;
+  for (int attempt = 0; attempt < (hand_A ? kComparedWays : 1); ++attempt) {
+    std::vector<std::vector<Vec3>> parts;
+    // A spring without stiffness: the plan does not press.
+    for (const HandAct& act :
+         task.demonstrate({.spheres = spheres, .probe_A = probe_A, .N_per_A = 0.0, .attempt = attempt})) {
+      if (!act.to) continue;
+      if (act.placed || parts.empty()) parts.emplace_back();
+      if (!act.placed) parts.back().push_back(act.to->A);
+    }
+    GuidePath way(parts);
+    if (way.empty()) continue;
+    double mean_A = 0.0;
+    constexpr int kPlaces = 16;
+    for (int k = 0; hand_A && k <= kPlaces; ++k)
+      mean_A += glm::distance(*hand_A, way.at(way.length_A() * k / kPlaces)) / (kPlaces + 1);
+    if (!best.empty() && mean_A >= least_A) continue;
+    least_A = mean_A;
+    best = std::move(way);
   }
-  return GuidePath(parts);
+  return best;
 }
 
 class GuidedTask final : public Task {
@@ -140,14 +155,14 @@ class GuidedTask final : public Task {
   }
 
   // The task's own way depends on the probe; it stays while a try is in progress.
-  void makeWay(double probe_A) {
+  void makeWay(double probe_A, const Vec3& hand_A) {
     if (!file_.empty() || std::abs(probe_A - probe_A_) < kSameProbe_A || begun_) return;
     probe_A_ = probe_A;
-    path_ = std::make_shared<const GuidePath>(wayOfTask(*inner_, SphereGrid(spheres_, untouchable_), probe_A));
+    path_ = std::make_shared<const GuidePath>(wayOfTask(*inner_, SphereGrid(spheres_, untouchable_), probe_A, hand_A));
   }
 
   void onSample(const TouchSample& s, double dt_s) override {
-    if (try_ < tries_with_) makeWay(s.probe_A);
+    if (try_ < tries_with_) makeWay(s.probe_A, s.hip.A);
     const bool with_guide = guided();
     // The judged try begins when the hand is free.
     if (!with_guide && try_ > 0 && s.field_N) return;

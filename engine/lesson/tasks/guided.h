@@ -5,6 +5,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/lesson/tasks/task.h"
@@ -24,8 +26,10 @@ int guidedTries(const TaskSpec& spec);
 std::string guideFile(const TaskSpec& spec);
 
 /// The way of a task over the surface: the places of its demonstration for a hand that does not press, with a gap where
-/// the hand is lifted. Empty if the probe cannot go it.
-GuidePath wayOfTask(const Task& task, const SphereGrid& spheres, double probe_A);
+/// the hand is lifted. Of several ways, the one nearest to `hand_A`, which is on the side where the hand is; without it the
+/// first. Empty if the probe cannot go it.
+GuidePath wayOfTask(const Task& task, const SphereGrid& spheres, double probe_A,
+                    const std::optional<Vec3>& hand_A = std::nullopt);
 
 /// Runs `inner`, a task in its initial state, in tries with and without a guide. Without a way, only the judged try is
 /// left.

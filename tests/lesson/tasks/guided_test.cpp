@@ -97,7 +97,7 @@ TEST_CASE(
     "the way of a ridge of five atoms is 8 A long and lies on its surface, 3.1 A from the nearest centre, to 0.2 A") {
   const Molecule ridge = ridgeForGuide();
   const auto guided = task("trace", guidedKeys(), ridge);
-  Hand{*guided}.away(0.01);
+  Hand{*guided}.touch({}, 0.01, 0.0, Vec3(4, 0, 20));
   REQUIRE(guided->guide());
   const GuidePath& path = *guided->guide()->path;
   CHECK(path.length_A() > 7.9);
@@ -110,14 +110,32 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "the way lies on the side of the hand: on average 2 A and more above the ridge for a hand above it, below for one "
+    "below") {
+  for (const double side : {1.0, -1.0}) {
+    const auto guided = task("trace", guidedKeys(), ridgeForGuide());
+    TouchSample s;
+    s.time_s = 0.001;
+    s.hip.A = {4, 0, 20 * side};
+    guided->feed(s);
+    REQUIRE(guided->guide());
+    const GuidePath& path = *guided->guide()->path;
+    double mean_A = 0.0;
+    for (int k = 0; k <= 20; ++k) mean_A += path.at(path.length_A() * k / 20).z * side / 21.0;
+    CHECK(mean_A > 2.0);
+  }
+}
+
+TEST_CASE(
     "the ghost waits at the start, goes 2 A ahead of the hand, and with direction either leads from the end where the "
     "hand begins") {
   const auto guided = task("trace", guidedKeys({{"direction", "either"}}), ridgeForGuide());
   Hand hand{*guided};
-  hand.away(0.01);
+  hand.touch({}, 0.01, 0.0, Vec3(4, 0, 20));
   const auto path = guided->guide()->path;
   const auto along = [&] { return path->nearest(guided->guide()->ghost.A).along_A; };
-  CHECK(along() == doctest::Approx(0.0));
+  // At the end that is nearer to the hand.
+  CHECK(std::min(along(), path->length_A() - along()) == doctest::Approx(0.0));
   // Along the way itself, which begins on the outer side of the first sphere.
   const auto go = [&](double from_A, double to_A) {
     const int pieces = int(std::abs(to_A - from_A) * 10.0);
