@@ -32,6 +32,9 @@ std::vector<MadeMolecule> madeMolecules(const std::string& haemoglobin, const st
       {"1hpv-i84v.pdb", makeResistantProtease(protease)},
       {"1hpv-three-holds.pdb", makeThreeHolds(protease, makeOpenProtease(protease, 24.0))},
       {"key-and-lock.pdb", makeKeyAndLock()},
+      {"three-pairs.pqr", makeThreePairs()},
+      {"base-partners.pqr", makeBasePartners()},
+      {"base-pairs.pqr", makeBasePairs()},
   };
 }
 

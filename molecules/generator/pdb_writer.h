@@ -57,4 +57,11 @@ std::string makeThreeHolds(const std::string& entry, const std::string& open);
 /// Chain A: a lock; chain B: the key in it. No molecule.
 std::string makeKeyAndLock();
 
+/// PQR texts, with charges. Chains A, B, C: an argon atom, a water, acetate; D, E, F: what each pairs with.
+std::string makeThreePairs();
+/// Chain A: adenine; B: thymine; C: cytosine in the same place, elsewhere.
+std::string makeBasePartners();
+/// Chains A, B, C: thymine, cytosine, cytosine; D, E, F: adenine, guanine, adenine opposite them.
+std::string makeBasePairs();
+
 }  // namespace moltact::generator

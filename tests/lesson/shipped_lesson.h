@@ -20,8 +20,9 @@
 namespace moltact::test {
 
 inline Expected<std::shared_ptr<const Molecule>> shippedMolecule(const NamedMolecule& named) {
-  const std::string& name = named.name;
-  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb", named.reading);
+  const std::string path = std::string(MOLTACT_SOURCE_DIR "/molecules/") + named.name;
+  const bool charged = std::ifstream(path + ".pqr").good();
+  auto molecule = readMolecule(path + (charged ? ".pqr" : ".pdb"), named.reading);
   if (!molecule) return molecule.problem();
   return std::make_shared<const Molecule>(*std::move(molecule));
 }

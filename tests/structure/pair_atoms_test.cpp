@@ -251,3 +251,36 @@ TEST_CASE("two atoms in one place are noted, and their forces on a third are fin
     }
   }
 }
+
+TEST_CASE(
+    "two argon atoms have the well of their pair, 0.2846 kcal/mol at 3.76 A, without a charge or a note; a residue of "
+    "one "
+    "oxygen and two hydrogens has TIP3P's parameters whatever its name is, and one that is bonded elsewhere has not") {
+  const PairAtoms argon = pairAtoms(test::libraryMolecule("argon-pair.pdb"));
+  CHECK(argon.notes.empty());
+  for (const PairAtom& a : argon.atoms) {
+    CHECK(2.0 * double(a.half_minimum_A) == doctest::Approx(3.76));
+    CHECK(a.depth_kcal_mol == 0.2846f);
+    CHECK(a.charge_e == 0.0f);
+  }
+  const PairAtoms both = pairAtoms(test::libraryMolecule("water-and-argon.pdb"));
+  CHECK(both.notes.empty());
+  for (std::size_t k = 0; k < 6; ++k) {
+    CHECK(both.atoms[k].charge_e == (k % 3 == 0 ? -0.834f : 0.417f));
+    CHECK(both.atoms[k].depth_kcal_mol == (k % 3 == 0 ? 0.152f : 0.0f));
+  }
+  // Neon beside xenon: the rules of Lorentz and Berthelot. Methanol's oxygen is no water's.
+  const PairAtoms noble =
+      pairAtoms(test::moleculeOf("HETATM    1 NE    NE A   1       0.000   0.000   0.000  1.00  0.00          NE\n"
+                                 "HETATM    2 XE    XE A   2       6.000   0.000   0.000  1.00  0.00          XE\n",
+                                 "x.pdb"));
+  CHECK(noble.notes.empty());
+  CHECK(noble.atoms[0].depth_kcal_mol < noble.atoms[1].depth_kcal_mol);
+  const PairAtoms split =
+      pairAtoms(test::moleculeOf("HETATM    1  O1  UNK A   1       0.000   0.000   0.000  1.00  0.00           O\n"
+                                 "HETATM    2  H1  UNK A   1       0.960   0.000   0.000  1.00  0.00           H\n"
+                                 "HETATM    3  H2  UNK A   1      -4.000   0.000   0.000  1.00  0.00           H\n"
+                                 "HETATM    4  C1  UNL A   2      -0.500   1.300   0.000  1.00  0.00           C\n",
+                                 "x.pdb"));
+  CHECK(split.atoms[0].charge_e != -0.834f);
+}

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/tasks/curve_overlap.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -14,17 +15,6 @@ constexpr std::size_t kPoints = 25;  // number of points of each curve
 constexpr double kFeltEnough = 0.9;  // share of the axis that must be felt
 constexpr double kSlideShare = 0.2;  // share of the path; shorter slides do not count
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-// Where both curves are defined: the area under both, as a share of the area under at least one of them.
-double overlap(const std::vector<double>& a, const std::vector<double>& b) {
-  double common = 0.0, either = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    if (!std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
-    common += std::min(a[k], b[k]);
-    either += std::max(a[k], b[k]);
-  }
-  return either > 0.0 ? common / either : 1.0;
-}
 
 class Predict : public Task {
  public:
@@ -143,7 +133,7 @@ class Predict : public Task {
   }
 
   void compare() {
-    curves_.agreement = overlap(curves_.drawn, curves_.felt);
+    curves_.agreement = curveOverlap(curves_.drawn, curves_.felt);
     if (first_agreement_ < 0.0) first_agreement_ = *curves_.agreement;
     if (*curves_.agreement >= agree_) {
       finish();

@@ -11,6 +11,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/lesson/pose_text.h"
+#include "engine/lesson/tasks/curve_overlap.h"
 #include "engine/lesson/tasks/held_way.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -25,11 +26,11 @@ PoseTolerance siteOf(const TaskSpec& spec) { return {spec.values["within"].numbe
 
 class Pull : public Task {
  public:
-  explicit Pull(const TaskSpec& spec) : Task(spec), spec_(spec), called_(spec.values["called"].text) {
+  explicit Pull(const TaskSpec& spec)
+      : Task(spec), spec_(spec), called_(spec.values["called"].text), draws_(spec.values["draw"].text == "yes") {
     curves_.x_name = N_("distance");
     curves_.x_max_A = spec.values["pull"].number;
-    curves_.drawing = false;
-    curves_.drawn.assign(kPullPoints, kNothing);
+    expectAgain();
     forget();
   }
 
@@ -41,6 +42,7 @@ class Pull : public Task {
   void reset() override {
     Task::reset();
     way_.restart();
+    expectAgain();
     forget();
     begun_ = false;
     off_A_ = 0.0;
@@ -54,10 +56,16 @@ class Pull : public Task {
     double hand_N = 0.0, atoms_pN = 0.0;
   };
 
+  void expectAgain() {
+    curves_.drawing = draws_;
+    curves_.drawn.assign(kPullPoints, kNothing);
+  }
+
   void forget() {
     curves_.felt.assign(kPullPoints, kNothing);
     curves_.complete = false;
-    curves_.max_N = 1.0;
+    curves_.agreement.reset();
+    curves_.max_N = draws_ ? spec_.values["most"].number : 1.0;
     between_pN_.fill(0.0);
     at_ = 0;
   }
@@ -71,9 +79,14 @@ class Pull : public Task {
     return stage;
   }
 
+  void onAnswer(const TaskAnswer& answer) override {
+    curves_.drawn = answer.curve;
+    curves_.drawing = false;
+  }
+
   void onSample(const TouchSample& s, double dt_s) override {
     const bool continues = way_.tick(s, dt_s);
-    if (!place_ || !s.body || s.contact.fault != Fault::None) return;
+    if (curves_.drawing || !place_ || !s.body || s.contact.fault != Fault::None) return;
     const double within_A = spec_.values["within"].number;
     off_A_ = glm::distance(way_.pose().place.A, place_->goal().place.A);
     if (place_->rmsd_A(way_.pose()) <= within_A && !place_->stretched(s, within_A)) {
@@ -89,6 +102,7 @@ class Pull : public Task {
     setProgress(off_A_ / curves_.x_max_A);
     if (off_A_ < curves_.x_max_A) return;
     curves_.complete = true;
+    if (draws_) curves_.agreement = curveOverlap(curves_.drawn, curves_.felt);
     finish();
   }
 
@@ -109,7 +123,7 @@ class Pull : public Task {
     here = std::isfinite(here) ? std::max(here, now.hand_N) : now.hand_N;
     between_pN_[k] = std::max(between_pN_[k], now.atoms_pN);
     at_ = k;
-    curves_.max_N = std::max(1.0, 1.1 * greatest_N());
+    if (!draws_) curves_.max_N = std::max(1.0, 1.1 * greatest_N());
   }
 
   double greatest_N() const {
@@ -133,7 +147,10 @@ class Pull : public Task {
                   .reach_A = std::max(far_A + 3.0, searchReach_A(view.spheres, *view.body)),
                   .seed = std::uint64_t(view.attempt) + 1});
     if (way.empty()) return {};
-    HandPlan plan{{.to = start->place, .turned_to = start->orientation, .placed = true, .wait_s = 0.5}};
+    HandPlan plan;
+    if (curves_.drawing)
+      plan.push_back({.answer = TaskAnswer{.curve = std::vector<double>(kPullPoints, 0.25 * curves_.max_N)}});
+    plan.push_back({.to = start->place, .turned_to = start->orientation, .placed = true, .wait_s = 0.5});
     for (std::size_t k = 1; k < way.size(); ++k)
       plan.push_back({.to = way[k].place, .speed_A_per_s = 4.0, .turned_to = way[k].orientation});
     plan.back().wait_s = 0.5;
@@ -144,6 +161,7 @@ class Pull : public Task {
 
   std::string guidance() const override {
     const std::string held = called_.empty() ? std::string(tr("what you hold")) : called_;
+    if (curves_.drawing) return trf("First draw the force that you expect while you pull {0} out of its place.", held);
     if (!begun_) return trf("Lead {0} into its place first.", held);
     if (off_A_ < 0.1 * curves_.x_max_A) return trf("Pull {0} out of its place, without letting go.", held);
     return trf("Pull on: {0} of {1}.", lengthText(off_A_), lengthText(curves_.x_max_A));
@@ -161,10 +179,12 @@ class Pull : public Task {
   void measure(std::vector<TaskFigure>& out) const override {
     out.push_back({N_("greatest force of the pull"), greatest_N(), "N"});
     if (greatest_pN() > 0.0) out.push_back({N_("greatest force between the atoms"), greatest_pN(), "pN"});
+    if (curves_.agreement) out.push_back({N_("agreement"), 100.0 * *curves_.agreement, "%"});
   }
 
   TaskSpec spec_;
   std::string called_;
+  bool draws_ = false;  // the student first draws what they expect
   std::optional<PoseGoal> place_;
   HeldWay way_;
   TaskCurves curves_;
@@ -181,6 +201,9 @@ void checkPull(const TaskSpec& spec, std::vector<Problem>& problems) {
     if (const auto pose = parsePose(from.text); !pose)
       problems.push_back(problemAt({from.place.line, from.place.column + pose.problem().column - 1},
                                    pose.problem().message, trf("{0}; or write 'from: file'", pose.problem().remedy)));
+  if (spec.values["most"].place.line && spec.values["draw"].text != "yes")
+    problems.push_back(problemAt(spec.values["most"].place, tr("no curve is drawn here, so its axis has no end"),
+                                 tr("add a line 'draw: yes', or take this line out")));
   if (pull.number < 2.0 * within.number)
     problems.push_back(problemAt((within.place.line ? within : pull).place,
                                  tr("the body would be out nearly where it begins"),
@@ -232,6 +255,19 @@ TaskKind pullKind() {
                            "a pull begins.",
                 .fallback = "1.5 Å",
                 .dimension = Dimension::Length,
+                .min = 0.1,
+                .max = 20.0},
+               {.name = "draw",
+                .type = ValueType::Word,
+                .meaning = "Whether the student first draws the curve of the force that they expect on the way out. It "
+                           "is then shown beside the felt one; any curve counts.",
+                .fallback = "no",
+                .words = {"yes", "no"}},
+               {.name = "most",
+                .type = ValueType::Quantity,
+                .meaning = "For `draw: yes`: the upper end of the force axis.",
+                .fallback = "3.3 N",
+                .dimension = Dimension::Force,
                 .min = 0.1,
                 .max = 20.0}},
       .make = [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Pull>(s); },

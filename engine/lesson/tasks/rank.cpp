@@ -20,11 +20,12 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kMaxLigands = 4;
-constexpr double kFirmer_kcal_mol = 2.0;  // between the wells of two ligands, at least
-constexpr double kBesidePlace_A = 2.0;    // so far from the file's pose a well belongs to it (rms of the atoms)
-constexpr int kFallsAtLigand = 6;         // into the well of each
-constexpr double kPulls_A = 0.5;          // so far from the place a hand pulls; nearer it holds the ligand there
-constexpr double kDemonstrated_A = 0.5;   // of a demonstrated pull, as a share of `within`
+// Between the wells of two ligands lie at least so many kcal/mol, or the deeper one is so many times as deep.
+constexpr double kFirmer_kcal_mol = 2.0, kFirmerTimes = 3.0;
+constexpr double kBesidePlace_A = 2.0;   // so far from the file's pose a well belongs to it (rms of the atoms)
+constexpr int kFallsAtLigand = 6;        // into the well of each
+constexpr double kPulls_A = 0.5;         // so far from the place a hand pulls; nearer it holds the ligand there
+constexpr double kDemonstrated_A = 0.5;  // of a demonstrated pull, as a share of `within`
 constexpr double kPulled_A_per_s = 2.0;
 
 struct LigandWords {
@@ -323,7 +324,8 @@ void checkRankForces(const TaskSpec& spec, const SceneForces& forces, std::vecto
   }
   std::sort(energies.begin(), energies.end());
   for (std::size_t k = 1; k < energies.size(); ++k)
-    if (energies[k].first - energies[k - 1].first < kFirmer_kcal_mol)
+    if (energies[k].first - energies[k - 1].first < kFirmer_kcal_mol &&
+        energies[k - 1].first > kFirmerTimes * energies[k].first)
       problems.push_back(problemAt(rank.places[energies[k].second],
                                    trf("two ligands are bound nearly alike, by {0} and {1}",
                                        energyText(energies[k - 1].first), energyText(energies[k].first)),

@@ -6,8 +6,10 @@
 
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/pose_search.h"
 #include "engine/lesson/scene_forces.h"
 #include "engine/lesson/suggestion.h"
+#include "engine/lesson/tasks/held_way.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/sensitivity.h"
 #include "engine/lesson/touch_keys.h"
@@ -81,6 +83,22 @@ class Same : public Task {
     begin();
   }
 
+  // A body is felt where it is, with or without a contact: a stop at one of the two would tell them apart in words. It
+  // begins before each place as it lies before the first one in the file.
+  void takeInHand(std::shared_ptr<const HeldBody> body) override {
+    body_ = std::move(body);
+    const std::optional<PointA> one = one_.facing, other = other_.facing;
+    if (!one || !other) return;  // not a form that judges a body
+    middles_A_ = {one->A, other->A};
+    for (const bool second : {false, true}) {
+      TaskStage& stage = second ? other_ : one_;
+      stage.facing.reset();
+      stage.turned = stage.body_turned = kNoRotation;
+      stage.body_begins = PointA{body_->middle.A + middles_A_[second] - middles_A_[0]};
+      stage.in_hand = body_->atoms;
+    }
+  }
+
   void takeForces(std::shared_ptr<const SceneForces> forces) override { feelField(forces->molecule()); }
 
   TaskTrials trials() const override { return {trials_, tell_ ? judged_ : std::vector<bool>()}; }
@@ -126,8 +144,25 @@ class Same : public Task {
     return t.second_first != (second_ && t.differ);
   }
 
+  bool bodyNear(const TouchSample& s, const std::vector<Sphere>& place) const {
+    if (!s.body || s.hovering) return false;
+    return std::any_of(body_->spheres.begin(), body_->spheres.end(), [&](const Sphere& b) {
+      const Vec3 at = s.body->place.A + s.body->orientation * b.centre_A;
+      return std::any_of(place.begin(), place.end(), [&](const Sphere& p) {
+        return glm::distance(at, p.centre_A) - b.radius_A - p.radius_A <= kNear_A;
+      });
+    });
+  }
+
   void onSample(const TouchSample& s, double dt_s) override {
     const bool there = by_place_ && showsOther();
+    if (body_) {
+      const bool near = bodyNear(s, there ? there_spheres_ : here_spheres_);
+      touching_ = near;
+      beside_ = false;
+      if (near) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+      return;
+    }
     if (const auto& surface = surfaces_[there ? 1 : 0]) {
       // Only one of the two may have forces, so what counts depends on the place alone.
       const bool near = surface->has(s);
@@ -152,6 +187,18 @@ class Same : public Task {
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
+    if (body_) {
+      const TaskStage& stage = showsOther() ? other_ : one_;
+      if (!stage.body_begins) return plan;
+      const Vec3 from = stage.body_begins->A, to = middles_A_[by_place_ && showsOther()];
+      const double far_A = glm::length(to - from);
+      plan.push_back({.to = PointA{from}, .turned_to = kNoRotation, .placed = true, .wait_s = 0.05});
+      plan.push_back({.to = PointA{from + (to - from) * (std::max(0.0, far_A - kNear_A) / std::max(far_A, 1e-6))},
+                      .speed_A_per_s = 6.0,
+                      .wait_s = time_s_ + 0.1});
+      plan.push_back({.answer = TaskAnswer{.word = !second_ ? "next" : order_[trial_].differ ? "different" : "same"}});
+      return plan;
+    }
     const auto place = placeFor(view, placesToTouch(view, by_place_ && showsOther() ? there_ : here_));
     if (!place) return plan;
     comeTo(plan, *place, depthFor(view, 0.5), time_s_ + 0.1);
@@ -223,6 +270,7 @@ class Same : public Task {
       return second_ ? trf("Feel the second of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted)
                      : trf("Feel the first of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted);
     }
+    if (body_) return guidanceOfBody(pair);
     const std::string touch =
         led() ? (second_ ? trf("Touch the second of pair {0} of {1}: push in the middle of the view.", pair, trials_)
                          : trf("Touch the first of pair {0} of {1}: push in the middle of the view.", pair, trials_))
@@ -232,6 +280,15 @@ class Same : public Task {
       return trf("{0} of {1} right; {2} are needed. Another round: {3}", failed_right_, trials_, needed_, touch);
     if (tell_ && answered_ && !second_ && felt_s_ == 0.0) return judgement() + std::string(" ") + touch;
     return touch;
+  }
+
+  std::string guidanceOfBody(std::size_t pair) const {
+    const std::string lead = second_ ? trf("Lead what you hold to the second of pair {0} of {1}.", pair, trials_)
+                                     : trf("Lead what you hold to the first of pair {0} of {1}.", pair, trials_);
+    if (failed_)
+      return trf("{0} of {1} right; {2} are needed. Another round: {3}", failed_right_, trials_, needed_, lead);
+    if (tell_ && answered_ && !second_ && felt_s_ == 0.0) return judgement() + std::string(" ") + lead;
+    return lead;
   }
 
   // Whether the place is rotated to the front and into the middle of the view.
@@ -274,6 +331,8 @@ class Same : public Task {
   bool tell_ = true, meter_ = true;
   bool before_ = false, asked_ = false;  // asked before the explanation; asked before and after it
   bool by_place_ = false;
+  std::shared_ptr<const HeldBody> body_;  // what the hand holds; null: the probe
+  std::array<Vec3, 2> middles_A_{};       // of the places, for a body
   std::array<Selection, 2> places_;
   std::array<std::optional<AtSurface>, 2> surfaces_;  // of both, if forces between atoms act on at least one
   std::optional<double> first_round_;                 // d' of the first round, once it has ended
@@ -330,6 +389,11 @@ void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const
   if (!one.selection.given() || !other.selection.given()) return;
   if (!atoms.empty() && atoms == other.selection.select(molecule))
     problems.push_back(problemAt(other.place, tr("the two places are the same atoms"), tr("name other atoms")));
+}
+
+// A body is felt beside atoms that are named, and forces act on it.
+bool sameJudgesBody(const TaskSpec& spec) {
+  return spec.values["same"].selection.given() && !spec.values.has("remove");
 }
 
 // The second thing must differ from the scene.
@@ -402,14 +466,18 @@ TaskKind sameKind() {
                   "default they differ.",
        .max = 1e6}};
   keys.insert(keys.end(), std::begin(others), std::end(others));
-  return {"same",
-          "Feel two things in the dark and say whether they are the same, several times.",
-          {.each_s = 20.0, .each = "trials", .each_what = "pair"},
-          std::move(keys),
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
-          &checkSame,
-          &checkPlaces,
-          &checkSameScene};
+  return {
+      "same",
+      "Feel two things in the dark and say whether they are the same, several times.",
+      {.each_s = 20.0, .each = "trials", .each_what = "pair"},
+      std::move(keys),
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
+      &checkSame,
+      &checkPlaces,
+      &checkSameScene,
+      "with named atoms and without `remove`: its atoms count within 2 Å of those of the place. It begins before each "
+      "place as it lies before the first one in the molecule's file, and the view is from the front.",
+      &sameJudgesBody};
 }
 
 }  // namespace moltact

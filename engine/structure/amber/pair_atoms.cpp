@@ -39,6 +39,28 @@ std::string_view typeOf(int atomic_number, std::size_t neighbours) {
   }
 }
 
+// The minimum of a pair of atoms of a noble gas, as spectra and transport in the gas give it: R. A. Aziz and co-workers, He
+// 1979, Ne 1989, Ar 1993, Kr 1989, Xe 1986. Argon's is the well that E. A. Colbourn and A. E. Douglas measured (J. Chem.
+// Phys. 65, 1741, 1976): 99.5 /cm deep at 3.76 A. A Lennard-Jones curve has this minimum and is a little too wide.
+const AmberType* nobleGas(int atomic_number) {
+  static constexpr AmberType kHelium{"He", 1.485f, 0.0218f}, kNeon{"Ne", 1.545f, 0.0839f}, kArgon{"Ar", 1.88f, 0.2846f},
+      kKrypton{"Kr", 2.005f, 0.399f}, kXenon{"Xe", 2.18f, 0.561f};
+  switch (atomic_number) {
+    case 2:
+      return &kHelium;
+    case 10:
+      return &kNeon;
+    case 18:
+      return &kArgon;
+    case 36:
+      return &kKrypton;
+    case 54:
+      return &kXenon;
+    default:
+      return nullptr;
+  }
+}
+
 // The charge of an ion in water; 0 for an element with several.
 int ionCharge_e(int atomic_number) {
   switch (atomic_number) {
@@ -154,8 +176,8 @@ class Assigner {
   }
 
   void byElement(std::uint32_t i) {
-    const AmberType* type = amberType(typeOf(m_.atoms[i].atomic_number, bonds_.neighbours(i).size()));
-    set(i, type, 0.0f);
+    const AmberType* noble = nobleGas(m_.atoms[i].atomic_number);
+    set(i, noble ? noble : amberType(typeOf(m_.atoms[i].atomic_number, bonds_.neighbours(i).size())), 0.0f);
   }
 
   void set(std::uint32_t i, const AmberType* type, float charge_e) {
@@ -299,7 +321,7 @@ class Assigner {
       } else if (!ion && hasLigandCharges(r)) {
         for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) of_ligand_[i] = 1;
         ligands_.push_back(index);
-      } else {
+      } else if (!allNoble(r)) {
         note(PairAtoms::Note::Kind::NoTemplate, index);
       }
       return;
@@ -343,12 +365,30 @@ class Assigner {
     if (m_.charges_e.empty()) protons_.insert(protons_.end(), placed.begin(), placed.end());
   }
 
+  bool allNoble(const Residue& r) const {
+    const auto first = m_.atoms.begin() + r.first_atom;
+    return std::all_of(first, first + r.atom_count, [](const Atom& a) { return nobleGas(a.atomic_number) != nullptr; });
+  }
+
+  // A residue of an oxygen and two hydrogens, whatever its name is, and no bond leads out of it.
+  bool isWater(const Residue& r) const {
+    if (r.atom_count != 3) return false;
+    std::uint32_t hydrogens = 0, oxygen = kNoResidue;
+    for (std::uint32_t i = r.first_atom; i < r.first_atom + 3; ++i)
+      if (m_.atoms[i].atomic_number == 1)
+        ++hydrogens;
+      else if (m_.atoms[i].atomic_number == 8)
+        oxygen = i;
+    if (hydrogens != 2 || oxygen == kNoResidue) return false;
+    if (r.kind == ResidueKind::Water) return true;
+    const auto near = bonds_.neighbours(oxygen);
+    return near.size() == 2 && std::all_of(near.begin(), near.end(),
+                                           [&](std::uint32_t i) { return i >= r.first_atom && i < r.first_atom + 3; });
+  }
+
   // A water with both hydrogens has the charges of TIP3P (Jorgensen et al., J. Chem. Phys. 79, 926, 1983).
   bool water(const Residue& r) {
-    if (r.kind != ResidueKind::Water || r.atom_count != 3) return false;
-    std::uint32_t hydrogens = 0;
-    for (std::uint32_t i = r.first_atom; i < r.first_atom + 3; ++i) hydrogens += m_.atoms[i].atomic_number == 1;
-    if (hydrogens != 2) return false;
+    if (!isWater(r)) return false;
     for (std::uint32_t i = r.first_atom; i < r.first_atom + 3; ++i) {
       const bool hydrogen = m_.atoms[i].atomic_number == 1;
       PairAtom& a = out_.atoms[i];

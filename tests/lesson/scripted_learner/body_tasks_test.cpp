@@ -83,7 +83,8 @@ TEST_CASE(
                                         "press: anywhere\nuntil: 0.5 N",
                                         "feel: atoms",
                                         "compare: places\nof: name N then name CA",
-                                        "contacts: anywhere\ncount: 2"};
+                                        "contacts: anywhere\ncount: 2",
+                                        "same: name N\nplace: name CA"};
   for (const std::string& keys : judged) {
     CAPTURE(keys);
     CHECK(errorsOf(step(keys)) == std::vector<std::string>());
@@ -99,7 +100,7 @@ TEST_CASE(
       {"trace: name N then name CA", "'trace'"},
       {"find: name N", "'find'"},
       {"predict: name N", "'predict'"},
-      {"same: name N\nplace: name CA", "'same'"},
+      {"same: anywhere\nfriction: 0.5", "'same' in this form"},
       {"fit: name N\nmost: 6 Å", "'fit'"},
       {"measure: name N\nto: name CA", "'measure'"},
       {"order: name N then name CA\nfirst: the larger", "'order'"}};
@@ -321,4 +322,59 @@ TEST_CASE("contacts in a scene with 'then', which moves the atoms, is one error 
   CHECK(errors[0].starts_with("l.md:15:4: 'contacts' judges the atoms where they are at the start of the scene"));
   CHECK(errors[0].find("leave out 'then', or use 'dock'") != std::string::npos);
   CHECK(errorsOf(step("dock: file", moves)).empty());
+}
+
+TEST_CASE(
+    "same with a body: it begins before each place by the same way, in the file's orientation; it counts as felt "
+    "within 2 "
+    "A of the place whether it touches or not, and not farther out, beside the other place, or in a hand that hovers") {
+  const auto held = lesson(step("same: name CA\nplace: name C\nfor: 0.5 s\ntrials: 4\nright: 4"));
+  const auto molecule = std::make_shared<const Molecule>(dock());
+  const std::uint32_t atoms[] = {3, 4};
+  const auto body = heldBody(molecule->spheres, atoms);
+  std::size_t firsts = 0, seconds = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    auto task = makeTask(held->steps[0].tasks[0], *molecule);
+    task->takeInHand(body);
+    task->drawBy(seed);
+    double time_s = 0.0;
+    const auto stay = [&](const Vec3& at, bool hovering) {
+      TouchSample s;
+      s.body = PoseA{{at}, kNoRotation};
+      s.hovering = hovering;
+      for (int k = 0; k < 800; ++k) {
+        s.time_s = time_s += 0.001;
+        task->feed(s);
+      }
+    };
+    const TaskStage stage = task->stage();
+    REQUIRE(stage.body_begins);
+    CHECK(stage.dark);
+    CHECK(stage.unnamed);
+    CHECK(stage.body_turned == kNoRotation);
+    CHECK(stage.in_hand == std::vector<std::uint32_t>{3, 4});
+    // The place: CA at x = 12 for the first thing, C at y = 12 for the second, whose body begins 12 A to the left and above.
+    const bool second = glm::distance(stage.body_begins->A, Vec3(-12, 12, 30)) < 1e-9;
+    if (!second) CHECK(glm::distance(stage.body_begins->A, Vec3(0, 0, 30)) < 1e-9);
+    ++(second ? seconds : firsts);
+    const Vec3 place = second ? Vec3(0, 12, 0) : Vec3(12, 0, 0), other = second ? Vec3(12, 0, 0) : Vec3(0, 12, 0);
+    // The surfaces are 2 A and 1.2 A from the centres; the body's atoms lie 1 A beside its middle.
+    const auto above = [](const Vec3& p, double gap_A) {
+      const double far_A = 3.2 + gap_A;
+      return p + Vec3(0, 0, std::sqrt(far_A * far_A - 1.0));
+    };
+    stay(above(place, 2.1), false);
+    CHECK(task->buttons().empty());
+    stay(above(other, 0.5), false);
+    CHECK(task->buttons().empty());
+    stay(above(place, 1.9), true);
+    CHECK(task->buttons().empty());
+    stay(above(place, 1.9), false);
+    CHECK(task->buttons().size() == 1);
+  }
+  CHECK(firsts > 0);
+  CHECK(seconds > 0);
+  ScriptedLearner learner(held, molecules, [](const LearnerEvent&) {});
+  REQUIRE(learner.enterStep());
+  CHECK(learner.doTask());
 }

@@ -70,8 +70,10 @@ TEST_CASE(
     "often as coins do, 14.5 %") {
   Passes table;
   std::vector<Found> found = tasksInForces("same");
-  // A round before the explanation is a measurement, which nobody fails.
-  std::erase_if(found, [](const Found& f) { return f.spec().values["asked"].text == "before"; });
+  // A measurement is not passed or failed.
+  std::erase_if(found, [](const Found& f) {
+    return f.spec().values["asked"].text == "before" || f.spec().values["right"].number == 1.0;
+  });
   REQUIRE_FALSE(found.empty());
   for (const Found& f : found) {
     const StepPicture picture(*f.step);
@@ -265,6 +267,8 @@ TEST_CASE(
   for (const Found& f : found) {
     CAPTURE(f.name());
     const bool docks = f.spec().kind == "dock";
+    // An atom has no orientation: who leads it straight in does what the task asks.
+    const bool turns = Alone(f, 1).learner.view().body->atoms.size() > 1;
     // A looker knows the place, and puts the body down there; or, to pull it out, outside.
     const bool looker = passes(f, [&](const HandPlanInput& view) -> HandPlan {
       if (!docks) return {{.to = outside(view, 0), .placed = true, .wait_s = 3.0}};
@@ -285,12 +289,12 @@ TEST_CASE(
         };
       };
       // To have pulled the body out it must have been in its place.
-      if (docks) guessed += passes(f, straight(2.0));
+      if (docks && turns) guessed += passes(f, straight(2.0));
       jabbed += passes(f, straight(0.3));
     }
     CHECK(guessed == 0);
     CHECK(jabbed == 0);
-    table.row(f, looker, docks ? double(guessed) / kTries : kNone, double(jabbed) / kTries, kNone);
+    table.row(f, looker, docks && turns ? double(guessed) / kTries : kNone, double(jabbed) / kTries, kNone);
   }
   table.print();
 }

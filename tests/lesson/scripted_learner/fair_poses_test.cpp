@@ -35,6 +35,8 @@ TEST_CASE(
     "of "
     "2 s solves") {
   std::vector<Found> found = tasksOfKind("dock");
+  // An atom has no orientation: who leads it straight in does what the task asks (fair_forces_test.cpp has the others).
+  std::erase_if(found, [](const Found& f) { return Alone(f, 1).learner.view().body->atoms.size() == 1; });
   REQUIRE(found.size() >= 3);
   const std::vector<Found> presses = tasksOfKind("contacts");
   REQUIRE_FALSE(presses.empty());

@@ -231,6 +231,44 @@ TEST_CASE(
   CHECK(demonstrated.learner.doTask());
 }
 
+TEST_CASE(
+    "a pull with 'draw' waits for the drawn curve, keeps it beside the felt one, and states how far they agree: the "
+    "felt "
+    "curve drawn agrees by more than 95 %, none at all by 0") {
+  const std::string lesson = text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91\ndraw: yes");
+  CHECK(errorsOf(lesson) == std::vector<std::string>());
+  CHECK(errorsOf(text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91\nmost: 2 N")).size() == 1);
+  const HandPlan out{{.to = PointA{{2, 0, 2.91}}, .turned_to = kNoRotation, .placed = true, .wait_s = 0.5},
+                     {.to = PointA{{2, 0, 30}}, .speed_A_per_s = 2.0}};
+  Student student(lesson);
+  CHECK(student.task().curves()->drawing);
+  student.learner.follow(out);
+  CHECK_FALSE(student.done());
+  CHECK(student.task().sentence().starts_with("First draw the force that you expect"));
+  const std::size_t n = student.task().curves()->drawn.size();
+  student.learner.tell({.curve = std::vector<double>(n, 0.0)});
+  CHECK_FALSE(student.task().curves()->drawing);
+  student.learner.follow(out);
+  REQUIRE(student.done());
+  CHECK(*student.task().curves()->agreement == 0.0);
+  CHECK(student.task().curves()->max_N == 3.3);
+  std::vector<double> felt = student.task().curves()->felt;
+  for (double& f : felt)
+    if (!std::isfinite(f)) f = 0.0;
+  std::vector<bool> kept;
+  for (const SessionEvent& e : student.learner.session().events())
+    if (const auto* known = std::get_if<CurveKnown>(&e)) kept.push_back(known->felt);
+  CHECK(kept == std::vector<bool>{false, true});
+  Student sure(lesson);
+  sure.learner.tell({.curve = felt});
+  sure.learner.follow(out);
+  REQUIRE(sure.done());
+  CHECK(*sure.task().curves()->agreement > 0.95);
+  CHECK(sure.figureOf("agreement") > 95.0);
+  Student demonstrated(lesson);
+  CHECK(demonstrated.learner.doTask());
+}
+
 TEST_CASE("a body that is let back in and pulled out anew gives the curve of the last way out") {
   Student once(text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91")),
       twice(text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91"));
