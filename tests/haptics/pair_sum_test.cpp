@@ -88,7 +88,7 @@ Real feltOf(Real energy, const PairModel& m) {
   return well * std::asinh(g * energy / well);
 }
 
-OracleEnergy oracle(const PairSumScene& s, const PairModel& m, const PoseA& at) {
+OracleEnergy referenceEnergy(const PairSumScene& s, const PairModel& m, const PoseA& at) {
   OracleEnergy out;
   Real nearest = INFINITY;
   const glm::dmat3 turn = glm::mat3_cast(at.orientation);
@@ -234,7 +234,7 @@ Differences worstDifferences(const PairSumScene& scene, const PairModel& model, 
         nearest = std::min(nearest, glm::distance(at.place.A + turned * b.centre_A, a.centre_A));
     if (nearest < 1.6) continue;
     ++judged;
-    const OracleEnergy right = oracle(scene, model, at);
+    const OracleEnergy right = referenceEnergy(scene, model, at);
     const PairEnergy found = sum.at(at);
     worst.energy = std::max(
         {worst.energy, double(std::abs(right.van_der_waals - found.energy.parts[EnergyPart::VanDerWaals]) / right.size),
@@ -245,7 +245,7 @@ Differences worstDifferences(const PairSumScene& scene, const PairModel& model, 
     for (int axis = 0; axis < 3; ++axis) {
       Vec3 step(0.0);
       step[axis] = kStep;
-      const auto felt = [&](const PoseA& p) { return oracle(scene, model, p).felt; };
+      const auto felt = [&](const PoseA& p) { return referenceEnergy(scene, model, p).felt; };
       force[axis] = double((felt({{at.place.A - step}, at.orientation}) - felt({{at.place.A + step}, at.orientation})) /
                            (2 * kStep));
       torque[axis] = double((felt({at.place, pairSumPose({}, -step).orientation * at.orientation}) -
@@ -334,9 +334,9 @@ TEST_CASE(
       const PairEnergy found = sum.at(at);
       const Vec3 way = glm::normalize(any());
       constexpr double kStep = 1e-4;
-      const Real here = oracle(scene, model, at).felt;
+      const Real here = referenceEnergy(scene, model, at).felt;
       const auto curvature = [&](const PoseA& one, const PoseA& other) {
-        return double((oracle(scene, model, one).felt + oracle(scene, model, other).felt - 2 * here) /
+        return double((referenceEnergy(scene, model, one).felt + referenceEnergy(scene, model, other).felt - 2 * here) /
                       (Real(kStep) * kStep));
       };
       const double along =
@@ -449,7 +449,7 @@ TEST_CASE("3000 atoms within 1 A, more than a list has room for, give what the o
   PairSum sum = pairSumSumOf(scene.atoms, scene.body, model);
   const PoseA at = pairSumPose({4, 0, 0});
   CHECK(sum.at(at).energy.parts[EnergyPart::Electrostatic] ==
-        doctest::Approx(double(oracle(scene, model, at).electrostatic)).epsilon(1e-5));
+        doctest::Approx(double(referenceEnergy(scene, model, at).electrostatic)).epsilon(1e-5));
   CHECK(sum.listedPairs() == 0);
 }
 
