@@ -107,9 +107,11 @@ TEST_CASE(
   auto d = startWith("1ubq");
   d->click("menu/lesson");
   d->frames(3);
+  d->click("menu/lesson/lessons");
+  d->frames(3);
   float y = 0.0f;
   for (const LibraryItem& l : all) {
-    const WidgetRecord* item = widgets().find("menu/lesson/" + l.id);
+    const WidgetRecord* item = widgets().find("menu/lesson/lessons/" + l.id);
     REQUIRE(item);
     CHECK(item->low.y > y);
     y = item->low.y;

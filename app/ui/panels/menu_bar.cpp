@@ -156,10 +156,11 @@ void sizeMenu(Application& app) {
 }
 
 void lessonList(Application& app) {
-  // A separator divides the levels.
   ImGui::Separator();
+  if (!beginSubmenu(app, "menu/lesson/lessons", tr("Lessons"))) return;
   for (const LibraryItem& entry : lessons())
-    if (item("menu/lesson/" + entry.id, entry.label.c_str())) app.open(entry.file);
+    if (item("menu/lesson/lessons/" + entry.id, entry.label.c_str())) app.open(entry.file);
+  ImGui::EndMenu();
 }
 
 // A submenu that follows an action.
