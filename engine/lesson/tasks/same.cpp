@@ -83,8 +83,8 @@ class Same : public Task {
     begin();
   }
 
-  // A body is felt where it is, with or without a contact: a stop at one of the two would tell them apart in words. It
-  // begins before each place as it lies before the first one in the file.
+  // A body is felt as long as the hand holds it. Contact or nearness would depend on the forces, and the words on the
+  // screen would then tell the two apart. It begins before each place as it lies before the first one in the file.
   void takeInHand(std::shared_ptr<const HeldBody> body) override {
     body_ = std::move(body);
     const std::optional<PointA> one = one_.facing, other = other_.facing;
@@ -144,23 +144,12 @@ class Same : public Task {
     return t.second_first != (second_ && t.differ);
   }
 
-  bool bodyNear(const TouchSample& s, const std::vector<Sphere>& place) const {
-    if (!s.body || s.hovering) return false;
-    return std::any_of(body_->spheres.begin(), body_->spheres.end(), [&](const Sphere& b) {
-      const Vec3 at = s.body->place.A + s.body->orientation * b.centre_A;
-      return std::any_of(place.begin(), place.end(), [&](const Sphere& p) {
-        return glm::distance(at, p.centre_A) - b.radius_A - p.radius_A <= kNear_A;
-      });
-    });
-  }
-
   void onSample(const TouchSample& s, double dt_s) override {
     const bool there = by_place_ && showsOther();
     if (body_) {
-      const bool near = bodyNear(s, there ? there_spheres_ : here_spheres_);
-      touching_ = near;
+      touching_ = s.body && !s.hovering;
       beside_ = false;
-      if (near) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+      if (touching_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
       return;
     }
     if (const auto& surface = surfaces_[there ? 1 : 0]) {
@@ -475,7 +464,7 @@ TaskKind sameKind() {
       &checkSame,
       &checkPlaces,
       &checkSameScene,
-      "with named atoms and without `remove`: its atoms count within 2 Å of those of the place. It begins before each "
+      "with named atoms and without `remove`: each counts as felt while the hand holds the body. It begins before each "
       "place as it lies before the first one in the molecule's file, and the view is from the front.",
       &sameJudgesBody};
 }
