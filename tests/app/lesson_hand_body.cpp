@@ -179,9 +179,18 @@ bool LessonHand::followWithBody(const HandPlan& plan, std::size_t task) {
     start = there;
   }
   pointAt(start);
+  if (watch) watch();
   press();
+  // Who watches sees the words from the press on, not only once there is a contact.
+  for (int k = 0; watch && k < 10 && isCurrent(task); ++k) {
+    d_.frames(1);
+    watch();
+  }
   lead(fine.aim, task);
-  for (int k = 0; k < 120 && isCurrent(task) && !d_.app().scene.log().touching(); ++k) d_.frames(1);
+  for (int k = 0; k < 120 && isCurrent(task) && !d_.app().scene.log().touching(); ++k) {
+    d_.frames(1);
+    if (watch) watch();
+  }
   push(kPush_A * N_per_A());
   for (int n = 0; n < int((wait_s + 2.0) * 60.0) && isCurrent(task); ++n) {
     d_.frames(1);
