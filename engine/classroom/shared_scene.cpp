@@ -153,7 +153,7 @@ void SharedScene::follow(const ClassRoom& room, double now_s) {
   if (state_ == State::None) return;
   const auto place = placeOf(room, student_);
   if (state_ == State::Agreed && place == place_) known_ = true;
-  // Before the first lines of the step have come, the lines tell an earlier place.
+  // Until the first lines of the step arrive, the lines give an earlier place.
   const bool left = state_ == State::Agreed ? known_ && place != place_ : place != place_;
   if (room.ended() || left || !isHere(room.students()[student_], now_s) ||
       (state_ == State::Asked && now_s - asked_s_ > kAskFor_s))

@@ -31,8 +31,8 @@ enum class SceneHidden : std::uint8_t {
   NoPicture,  ///< the student's page sends none, as in a dark scene or under another page
 };
 
-/// The place that the lines of the student's present attempt tell; nothing before the first step, in a test, or in a lesson
-/// that is not the teacher's.
+/// The student's place by the lines of the present attempt. Empty before the first step, in a test, and in a lesson that is
+/// not the teacher's.
 std::optional<ScenePlace> placeOf(const ClassRoom& room, std::size_t student);
 
 /// Whether a scene of this place would answer something for a student who is here, by the lines that have come. Dark: a
@@ -86,7 +86,7 @@ class SharedScene {
   std::size_t student_ = 0;
   std::uint64_t number_ = 0, pictures_ = 0;
   bool named_ = false;
-  bool known_ = false;  // the student's lines have told the place, too
+  bool known_ = false;  // the student's lines have confirmed the place
   double asked_s_ = 0.0, picture_s_ = kNotSeen_s;
   ScenePlace place_;
   std::string picture_;

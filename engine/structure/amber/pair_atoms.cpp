@@ -6,6 +6,7 @@
 
 #include "engine/haptics/sphere_grid.h"
 #include "engine/structure/amber/amber.h"
+#include "engine/structure/amber/element_types.h"
 #include "engine/structure/amber/ligand_parameters.h"
 #include "engine/structure/bonds.h"
 #include "engine/structure/ligands.h"
@@ -17,74 +18,6 @@ constexpr double kAcceptor_A = 3.5;  // a proton's partner lies within this dist
 
 double bondLength_A(std::string_view carrier_type) {
   return carrier_type.front() == 'S' ? 1.336 : carrier_type.front() == 'O' ? 0.96 : 1.01;
-}
-
-// Types of AMBER for atoms without a template. Hydrogen as on a nitrogen.
-std::string_view typeOf(int atomic_number, std::size_t neighbours) {
-  switch (atomic_number) {
-    case 1:
-      return "H";
-    case 6:
-      return neighbours >= 4 ? "CT" : "C";
-    case 7:
-      return "N";
-    case 8:
-      return "O";
-    case 15:
-      return "P";
-    case 16:
-      return "S";
-    default:
-      return {};
-  }
-}
-
-// The minimum of a pair of atoms of a noble gas, as spectra and transport in the gas give it: R. A. Aziz and co-workers, He
-// 1979, Ne 1989, Ar 1993, Kr 1989, Xe 1986. Argon's is the well that E. A. Colbourn and A. E. Douglas measured (J. Chem.
-// Phys. 65, 1741, 1976): 99.5 /cm deep at 3.76 A. A Lennard-Jones curve has this minimum and is a little too wide.
-const AmberType* nobleGas(int atomic_number) {
-  static constexpr AmberType kHelium{"He", 1.485f, 0.0218f}, kNeon{"Ne", 1.545f, 0.0839f}, kArgon{"Ar", 1.88f, 0.2846f},
-      kKrypton{"Kr", 2.005f, 0.399f}, kXenon{"Xe", 2.18f, 0.561f};
-  switch (atomic_number) {
-    case 2:
-      return &kHelium;
-    case 10:
-      return &kNeon;
-    case 18:
-      return &kArgon;
-    case 36:
-      return &kKrypton;
-    case 54:
-      return &kXenon;
-    default:
-      return nullptr;
-  }
-}
-
-// The charge of an ion in water; 0 for an element with several.
-int ionCharge_e(int atomic_number) {
-  switch (atomic_number) {
-    case 3:
-    case 11:
-    case 19:
-    case 37:
-    case 55:
-      return 1;
-    case 12:
-    case 20:
-    case 30:
-    case 38:
-    case 48:
-    case 56:
-      return 2;
-    case 9:
-    case 17:
-    case 35:
-    case 53:
-      return -1;
-    default:
-      return 0;
-  }
 }
 
 Vec3 anyNormal(const Vec3& v) {
@@ -177,7 +110,7 @@ class Assigner {
 
   void byElement(std::uint32_t i) {
     const AmberType* noble = nobleGas(m_.atoms[i].atomic_number);
-    set(i, noble ? noble : amberType(typeOf(m_.atoms[i].atomic_number, bonds_.neighbours(i).size())), 0.0f);
+    set(i, noble ? noble : amberType(elementType(m_.atoms[i].atomic_number, bonds_.neighbours(i).size())), 0.0f);
   }
 
   void set(std::uint32_t i, const AmberType* type, float charge_e) {
