@@ -43,8 +43,8 @@ lintian --fail-on error,warning,info,pedantic --display-info --pedantic --tag-di
 
 step "the spelling of pages, lessons and messages"
 project=$here/../..
-spellintian "$project"/*.md "$project"/docs/*.md $(find "$project/lessons" -name '*.md' ! -name '*.de.md') "$project/assets/translations/moltact.pot" |
-  grep -v '(duplicate word)' >"$work/spelling" || true
+spellintian "$project"/*.md "$project"/docs/*.md $(find "$project/lessons" -name '*.md' ! -name '*.??.md') "$project/assets/translations/moltact.pot" |
+  grep -v -e '(duplicate word)' -e 'Lenth -> Length$' >"$work/spelling" || true  # R. V. Lenth is an author
 [ ! -s "$work/spelling" ] || fail "$(cat "$work/spelling")"
 
 step "under a prefix of its own"
